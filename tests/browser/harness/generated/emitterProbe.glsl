@@ -74,6 +74,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct TreeChoice {
     uint emitter;

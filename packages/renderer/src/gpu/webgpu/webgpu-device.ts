@@ -133,6 +133,7 @@ class WebGpuDevice implements Device {
   readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly compute: WebGpuCompute | null;
+  readonly relay = null;
   readonly lost: Promise<string>;
   readonly #options: Required<WebGpuOptions>;
   readonly #device: GPUDevice;

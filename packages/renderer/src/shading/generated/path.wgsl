@@ -294,15 +294,22 @@ struct LeftTriangle {
 
 
 fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
+  let m = meetingAt(p, hit);
+  (*p).escaped = hit.shape == noShape;
+  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
+  
+  scatter(p, hit, m, lightAt(p, hit, m));
+}
+
+// What lay on the way there takes its share of the light.
+fn meetingAt(p: ptr<function, Path>, hit: PairHit) -> Meeting {
   let rays = (*p).rays;
   let escaped = hit.shape == noShape;
   let shape = select(hit.shape, 0u, escaped);
   let met = surfaceAt(rays, hit, shape);
   var surface = met.surface;
   let isClear = letsThrough(u32(surface.code), surface.eta.x);
-  let point = rays.point + hit.t * rays.direction;
   let outward = met.shading;
-  // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
   let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
   var basis = basisAbout(normal);
   
@@ -313,39 +320,39 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   }
   
   
-  let only = fetchEmitter(0u);
-  (*p).escaped = escaped;
-  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
-  
-  let found = metLight(*p, hit, surface, met.geometric, only);
-  (*p).radiance += (*p).throughput * select(found, vec3f(0.0), escaped);
+  return Meeting(rays.point + hit.t * rays.direction, shape, surface, isClear, met.geometric, outward, basis, wo);
+}
 
-  // Light that must come from this side to count: none is excluded where light goes through.
-  let litSide = select(normal, vec3f(0.0), isClear);
-  let u = nextTwo3d(&(*p).sampler);
-  let choice = chooseEmitter(point, litSide, u.first.z);
-  let emitter = emitterAt(choice.index, only);
-  let light = sampleEmitter(emitter, point, u.first.xy);
-  let lightPdf = light.pdf * choice.probability;
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+// Triangle meshes, and such with shading normals of their own.
+const hasMeshes = false;
+
+fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
+  let rays = (*p).rays;
+  let escaped = hit.shape == noShape;
+  let light = lit.light;
   var hero = vec3f(1.0);
   
-  let o = outgoing(surface, wo, hero);
-  let drawn = sampleLobe(surface, o, u.second);
-  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn);
+  let o = outgoing(m.surface, m.wo, hero);
+  let drawn = sampleLobe(m.surface, o, lit.u);
+  let values = evaluatePair(m.surface, o, toLocal(m.basis, light.direction), drawn);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
-  let opaque = hasMeshes & !isClear;
-  let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
+  let opaque = hasMeshes & !m.isClear;
+  let lightLeaks = opaque & crosses(m.geometric, light.direction, -rays.direction);
   let toLight = select(values.toLight, vec4f(0.0), lightLeaks);
   // A light that rays cannot meet is found by light sampling only.
-  let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
-  let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
+  let alone = light.delta | ((lit.shape < 0.0) & (light.distance < miss));
+  let lightWeight = select(misWeight(lit.pdf, toLight.a), 1.0, alone) / lit.pdf;
   let bsdf = values.drawn;
-  let direction = toWorld(basis, bsdf.direction);
-  let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
+  let direction = toWorld(m.basis, bsdf.direction);
+  let leaks = opaque & crosses(m.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
   let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
-  let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
-  (*p).light = select(vec3f(0.0), contribution, lit);
+  let isLit = goesOn & (lit.pdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
+  (*p).light = select(vec3f(0.0), contribution, isLit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
   let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
@@ -354,17 +361,37 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let stays = !hasMeshes & escaped;
   (*p).throughput = select(throughput / survival, (*p).throughput, stays);
   (*p).pdf = select(select(bsdf.pdf, 0.0, bsdf.delta), (*p).pdf, stays);
-  (*p).litSide = select(litSide, (*p).litSide, stays);
-  (*p).odds.total = select(choice.odds.total, (*p).odds.total, stays);
-  (*p).odds.tree = select(choice.odds.tree, (*p).odds.tree, stays);
-  let solid = !isFlat(shape);
-  let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(select(point, rays.point, stays), shape, hit.triangle, relativeTMin * length(point), alive, select(direction, rays.direction, stays), solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
+  (*p).litSide = select(litSideOf(m), (*p).litSide, stays);
+  (*p).odds.total = select(lit.odds.total, (*p).odds.total, stays);
+  (*p).odds.tree = select(lit.odds.tree, (*p).odds.tree, stays);
+  let solid = !isFlat(m.shape);
+  let lightShape = select(noShape, u32(max(lit.shape, 0.0)), lit.shape >= 0.0);
+  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
 }
 
-// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
-// nothing that depends on the size of the scene.
-const noShape = 0xffffffffu;
+// Adds what the ray has found there by itself.
+fn lightAt(p: ptr<function, Path>, hit: PairHit, m: Meeting) -> Lit {
+  let only = fetchEmitter(0u);
+  let found = metLight(*p, hit, m.surface, m.geometric, only);
+  (*p).radiance += (*p).throughput * select(found, vec3f(0.0), hit.shape == noShape);
+  let u = nextTwo3d(&(*p).sampler);
+  let choice = chooseEmitter(m.point, litSideOf(m), u.first.z);
+  let emitter = emitterAt(choice.index, only);
+  let light = sampleEmitter(emitter, m.point, u.first.xy);
+  return Lit(light, light.pdf * choice.probability, emitter.shape, choice.odds, u.second);
+}
+
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
+  t: f32,
+  shape: u32,
+  // Whether the light is hidden.
+  blocked: bool,
+  // Of a mesh: which triangle, and how much its second and third vertex count.
+  triangle: LeftTriangle,
+  weights: vec2f,
+}
+
 
 // In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
 // layers/clearcoat.wesl.
@@ -401,254 +428,20 @@ override hasGlass = false;
 
 const hasTransmission = false;
 
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = tableTexel(14u, i);
-  let t1 = tableTexel(15u, i);
-  let t2 = tableTexel(16u, i);
-  let t3 = tableTexel(17u, i);
-  let t4 = tableTexel(18u, i);
-  let t5 = tableTexel(19u, i);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
-}
-
-// Triangle meshes, and such with shading normals of their own.
-const hasMeshes = false;
-
-// Light that the ray found by itself: of the surface that it met.
-fn metLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
-  let direction = p.rays.direction;
-  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
-  let own = emitterOf(s.code);
-  var found = select(s.emission, vec3f(0.0), hidden);
-  // A lamp beyond the number of emitters that light sampling knows counts whole.
-  if ((own >= 0) & (frame.emitterCount > 0u)) {
-    var i = u32(max(own, 0));
-    
-    let met = emitterAt(i, only);
-    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
-    var probability = listedProbability(met, p.rays.point, p.litSide, p.odds);
-    
-    found *= select(misWeight(p.pdf, density * probability), 1.0, p.pdf <= 0.0);
-  }
-  return found;
-}
-
-fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
-  let g = nextGroups(*s);
-  (*s).key = (*s).key + 2u;
-  let x = firstOf(g);
-  let y = secondOf(g);
-  let z = thirdOf(g);
-  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
-}
-
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
-// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
-fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var hasTree = false;
-  
-  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
-  if (hasManyLights) {
-    if (frame.emitterCount > 1u) {
-      var total = 0.0;
-      var chosen = 0u;
-      var chosenWeight = 0.0;
-      var rest = u;
-      var i = 0u;
-      loop {
-        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
-        total += weight;
-        let share = weight / max(total, 1e-37);
-        let take = rest < share;
-        chosen = select(chosen, i, take);
-        chosenWeight = select(chosenWeight, weight, take);
-        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-        i++;
-        if (i >= listed) {
-          break;
-        }
-      }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-      
-    }
-  }
-  return choice;
-}
-
-// `only`: fetched before, when the program is for scenes with one.
-fn emitterAt(i: u32, only: Emitter) -> Emitter {
-  var emitter = only;
-  if (hasManyLights) {
-    emitter = fetchEmitter(i);
-  }
-  return emitter;
-}
-
-// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
-// lamp that the point itself lies on.
-fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights) {
-    if (e.kind == sphereKind) {
-      s = sampleSphere(e, point, u);
-    }
-  }
-  if (hasQuadLights) {
-    if (e.kind == quadKind) {
-      s = sampleQuad(e, point, u);
-    }
-  }
-  if (hasBoxLights) {
-    if (e.kind == boxKind) {
-      s = sampleBox(e, point, u);
-    }
-  }
-  
-  if (hasPointLights) {
-    if (e.kind == pointKind) {
-      s = samplePoint(e, point);
-    }
-  }
-  if (hasPointLights) {
-    if (e.kind == spotKind) {
-      s = sampleSpot(e, point);
-    }
-  }
-  if (hasSuns) {
-    if (e.kind == directionalKind) {
-      s = sampleDirectional(e, u);
-    }
-  }
-  if (hasSky) {
-    if (e.kind == skyKind) {
-      s = sampleSky(u);
-    }
-  }
-  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
-  return s;
-}
-
-// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
-fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
-  let code = u32(s.code);
-  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
-  
-  if (hasMetallicRoughness) {
-    if (!hasLayers) {
-      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
-    }
-  }
-  if (hasGlass) {
-    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
-  }
-  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
-    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
-    o.stretched = stretched(wo, s.alpha);
-  }
-  return o;
-}
-
-// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
-fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
-  let wo = o.wo;
-  let mirror = mirrorShare(s.reflectivity);
-  let base = 1.0 - mirror;
-  // What is left of u.z is uniform again, and once more below.
-  let choice = (u.z - mirror) / base;
-  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
-  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
-    let code = u32(s.code);
-    let isGlass = isDielectric(code);
-    let delta = isSmooth(code);
-    let h = sampleFacet(s.alpha, delta, o, u.xy);
-    let oh = max(dot(wo, h), 0.0);
-    let f = facetReflectance(s, oh, o.ratio);
-    let crossing = isGlass & (choice >= f.x);
-    var wi = 2.0 * oh * h - wo;
-    var probability = base * o.share;
-    var weight = f / o.share;
-    if (hasGlass) {
-      let thin = isThin(code);
-      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
-      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
-      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
-    }
-    // A facet may send light to the wrong side: it is lost, as in single scattering.
-    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
-    let specular = choice < o.share;
-    drawn.direction = select(drawn.direction, wi, specular);
-    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
-    drawn.weight = select(drawn.weight, weight, specular);
-    drawn.delta = specular & delta;
-  }
-  
-  if (hasMirrorLayers) {
-    let reflected = u.z < mirror;
-    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
-    drawn.pdf = select(drawn.pdf, mirror, reflected);
-    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
-    drawn.delta = drawn.delta | reflected;
-  }
-  return drawn;
-}
-
-// What there is to know of the direction to the light and of the one that sampleLobe gave.
-fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
-  
-  return pair;
-}
-
-// Whether one of two directions away from a surface points into it and the other out of it.
-fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
-  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
-}
-
-const miss = 1e30;
-
-// Power heuristic, for one sample of each kind.
-fn misWeight(own: f32, other: f32) -> f32 {
-  let ratio = other / own;
-  return 1.0 / (1.0 + ratio * ratio);
-}
-
-fn toWorld(b: Basis, v: vec3f) -> vec3f {
-  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
-}
-
-fn max3(v: vec3f) -> f32 {
-  return max(max(v.x, v.y), v.z);
-}
-
-const rouletteShare = 1.0 / 3.0;
-
-// From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
-// weigh so much that the noise costs more than the rays that were saved.
-const rouletteDepth = 5u;
-
-fn isFlat(i: u32) -> bool {
-  return i >= frame.shapeEnds.y;
-}
-
-// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
-const relativeTMin = 1e-5;
-
-// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
-fn numberOfNext(s: Sampler) -> u32 {
-  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
-}
-
-struct PairHit {
-  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
-  t: f32,
+// Where the path's ray ends, as light sampling and scattering see it.
+struct Meeting {
+  point: vec3f,
+  // 0 where the ray has met nothing.
   shape: u32,
-  // Whether the light is hidden.
-  blocked: bool,
-  // Of a mesh: which triangle, and how much its second and third vertex count.
-  triangle: LeftTriangle,
-  weights: vec2f,
+  surface: Surface,
+  isClear: bool,
+  // Unit vectors in the world, out of solids or to the front of triangles.
+  geometric: vec3f,
+  outward: vec3f,
+  // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
+  basis: Basis,
+  // To where the ray came from, in that frame.
+  wo: vec3f,
 }
 
 // An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
@@ -668,29 +461,6 @@ fn schlick(f0: vec3f, cosine: f32) -> vec3f {
   let m = max(1.0 - cosine, 0.0);
   let m2 = m * m;
   return f0 + (1.0 - f0) * (m2 * m2 * m);
-}
-
-// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
-fn nextHash(s: ptr<function, Sampler>) -> f32 {
-  (*s).key = (*s).key + 1u;
-  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample * 256u) | (*s).place)));
-}
-
-// Uniform in [0, 1) with 24 bits.
-fn unitFloat(h: u32) -> f32 {
-  return f32(h >> 8u) * 5.9604644775390625e-8;
-}
-
-fn mixBits(x: u32) -> u32 {
-  return mixBits2(vec2u(x)).x;
-}
-
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits2(x: vec2u) -> vec2u {
-  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
-  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
-  return y ^ (y >> vec2u(15u));
 }
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
@@ -931,6 +701,591 @@ fn isDielectric(code: u32) -> bool {
 }
 
 const dielectric = 3u;
+
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
+  let code = u32(s.code);
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
+  
+  if (hasMetallicRoughness) {
+    if (!hasLayers) {
+      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    }
+  }
+  if (hasGlass) {
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
+  }
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
+    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
+    o.stretched = stretched(wo, s.alpha);
+  }
+  return o;
+}
+
+// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
+// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
+  let wo = o.wo;
+  let mirror = mirrorShare(s.reflectivity);
+  let base = 1.0 - mirror;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - mirror) / base;
+  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
+    let code = u32(s.code);
+    let isGlass = isDielectric(code);
+    let delta = isSmooth(code);
+    let h = sampleFacet(s.alpha, delta, o, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let f = facetReflectance(s, oh, o.ratio);
+    let crossing = isGlass & (choice >= f.x);
+    var wi = 2.0 * oh * h - wo;
+    var probability = base * o.share;
+    var weight = f / o.share;
+    if (hasGlass) {
+      let thin = isThin(code);
+      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
+      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
+      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
+    }
+    // A facet may send light to the wrong side: it is lost, as in single scattering.
+    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
+    let specular = choice < o.share;
+    drawn.direction = select(drawn.direction, wi, specular);
+    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
+    drawn.weight = select(drawn.weight, weight, specular);
+    drawn.delta = specular & delta;
+  }
+  
+  if (hasMirrorLayers) {
+    let reflected = u.z < mirror;
+    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
+    drawn.pdf = select(drawn.pdf, mirror, reflected);
+    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
+    drawn.delta = drawn.delta | reflected;
+  }
+  return drawn;
+}
+
+// What there is to know of the direction to the light and of the one that sampleLobe gave.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
+  
+  return pair;
+}
+
+// Whether one of two directions away from a surface points into it and the other out of it.
+fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
+  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
+}
+
+const miss = 1e30;
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+const rouletteShare = 1.0 / 3.0;
+
+// From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
+// weigh so much that the noise costs more than the rays that were saved.
+const rouletteDepth = 5u;
+
+// Light that must come from this side to count: none is excluded where light goes through.
+fn litSideOf(m: Meeting) -> vec3f {
+  return select(m.basis.normal, vec3f(0.0), m.isClear);
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
+fn numberOfNext(s: Sampler) -> u32 {
+  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
+}
+
+// A sample of the light at a point, and the numbers that decide how the path goes on from there.
+struct Lit {
+  light: LightSample,
+  // Per solid angle, with the choice of the light.
+  pdf: f32,
+  // Emitter.shape
+  shape: f32,
+  odds: Odds,
+  u: vec3f,
+}
+
+
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
+}
+
+// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
+fn nextHash(s: ptr<function, Sampler>) -> f32 {
+  (*s).key = (*s).key + 1u;
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample * 256u) | (*s).place)));
+}
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+fn mixBits(x: u32) -> u32 {
+  return mixBits2(vec2u(x)).x;
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits2(x: vec2u) -> vec2u {
+  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
+  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
+  return y ^ (y >> vec2u(15u));
+}
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Outgoing {
+  wo: vec3f,
+  // Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
+  share: f32,
+  // Of a dielectric: the index behind the boundary over that on wo's side.
+  ratio: f32,
+  // ggx.wesl, of wo.
+  bound: f32,
+  stretched: f32,
+}
+
+
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
+}
+
+override hasConductors = false;
+
+override hasCompensation = false;
+
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+}
+
+// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
+// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
+fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
+  let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
+  return specular / max(specular + diffuse, 1e-20);
+}
+
+fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
+  return mix(vec3f(dielectricF00), baseColor, metallic);
+}
+
+// Albedo of the diffuse part for light that meets facets at this cosine.
+fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec3f {
+  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF00), cosine).x) * baseColor;
+}
+
+const dielectricF00 = 0.04;
+
+// Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
+fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
+  return select(eta, 1.0 / eta, (z < 0.0) & !thin);
+}
+
+// Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
+// Eto and Tokuyoshi, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023, k of equation 5.
+fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
+  let s = 1.0 + length(wo.xy);
+  let s2 = s * s;
+  let a2 = alpha * alpha;
+  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
+}
+
+// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
+fn stretched(w: vec3f, alpha: f32) -> f32 {
+  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+}
+
+const conductor = 2u;
+
+// Share of the perfect mirror over the base.
+fn mirrorShare(reflectivity: f32) -> f32 {
+  return select(0.0, reflectivity, hasMirrorLayers);
+}
+
+struct BsdfSample {
+  direction: vec3f,
+  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
+  pdf: f32,
+  // f |cos| / pdf
+  weight: vec3f,
+  delta: bool,
+}
+
+
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
+  let phi = 6.28318530718 * u.y - 3.14159265359;
+  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
+}
+
+// Kinds of material beside diffuse, and what may be laid over or set on top.
+override hasMirrorLayers = true;
+
+// A facet that wo sees, turned to wo's side.
+fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, o.wo.z < 0.0);
+  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
+  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
+}
+
+// Share of light that a facet reflects, met at this cosine.
+fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
+  let code = u32(s.code);
+  var reflectance = vec3f(0.0);
+  if (hasMetallicRoughness) {
+    if (!hasLayers) {
+      reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    }
+  }
+  if (hasConductors) {
+    reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
+  }
+  if (hasGlass) {
+    reflectance = select(reflectance, vec3f(glassReflectance(cosine, ratio, isThin(code))), isDielectric(code));
+  }
+  return reflectance;
+}
+
+// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
+fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
+  let cosine = dot(wo, h);
+  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
+  return ((cosine - inside) * h - wo) / ratio;
+}
+
+// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
+fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+  let phi = 6.28318530718 * u.x - 3.14159265359;
+  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
+  let drop = u.y * (1.0 + bound * w.z);
+  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
+  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
+  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
+}
+
+// Without measured constants (eta and k black) the base colour comes back at every angle.
+fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
+  let constants = dot(eta + k, vec3f(1.0));
+  return select(baseColor, conductorFresnel(cosine, eta, k), constants > 0.0);
+}
+
+// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
+// Fresnel equations").
+fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
+  let cosine2 = cosine * cosine;
+  let sine2 = 1.0 - cosine2;
+  let difference = eta * eta - k * k - sine2;
+  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
+  // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
+  let smaller = eta * k / larger;
+  let a = select(smaller, larger, difference > vec3f(0.0));
+  let b = select(larger, smaller, difference > vec3f(0.0));
+  // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
+  let b2 = b * b + least0;
+  let acrossFar = a + cosine;
+  let acrossNear = a - cosine;
+  let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
+  let alongFar = a * cosine + sine2;
+  let alongNear = a * cosine - sine2;
+  let b2cosine2 = b2 * cosine2 + least0;
+  return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
+}
+
+const least0 = 1e-20;
+
+// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
+fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
+  let r = dielectricFresnel(cosine, ratio);
+  return select(r, 2.0 * r / (1.0 + r), thin);
+}
+
+// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
+// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
+fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
+  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
+  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
+  let inside = sqrt(max(inside2, 0.0));
+  let across = (cosine - inside) / (cosine + inside);
+  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
+  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
+}
+
+// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
+fn mirrored(wo: vec3f) -> vec3f {
+  return vec3f(-wo.xy, wo.z);
+}
+
+struct Pair {
+  // As of evaluateBsdf.
+  toLight: vec4f,
+  // With the density and weight of all lobes together.
+  drawn: BsdfSample,
+}
+
+
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Of what has no layers: evaluatePair.
+fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
+  let lambert = invPi * max(wi.z, 0.0);
+  var value = vec4f(s.baseColor, 1.0) * lambert;
+  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
+    let code = u32(s.code);
+    let facets = evaluateFacets(s, o, wi);
+    var base = vec3f(0.0);
+    if (hasMetallicRoughness) {
+      if (!hasLayers) {
+        base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      }
+    }
+    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
+    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
+    dark = select(dark, isSmooth(code), isDielectric(code));
+  }
+  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
+}
+
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
+}
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+
+fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
+  let wo = o.wo;
+  let isGlass = isDielectric(u32(s.code));
+  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
+  let m = wo + wi * select(1.0, o.ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  // Facets do not turn their back on one direction while the surface does not. Those that reflect never do: along the surface only the
+  // rounded lengths of wo and wi would say so.
+  let faces = !crossing | ((oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0));
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), o.ratio);
+  var passes = select(f, 1.0 - f, crossing);
+  let incoming = stretched(wi, s.alpha);
+  let apart = 0.5 * (zo + o.stretched) * (zi + incoming);
+  let masked = zi / max(select(zi * o.stretched + zo * incoming, apart, hidesApart(u32(s.code))), 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
+  if (hasCompensation) {
+    passes *= compensation(s, zo);
+  }
+  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse0 = 0u;
+
+// D(h): facets around the half vector per area and solid angle.
+fn facetDensity(h: vec3f, alpha: f32) -> f32 {
+  // At least 1 for a unit vector; opposite directions along the surface have none.
+  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Whether facets are hidden from both directions as often as by chance: Walter et al. 2007, equation 23.
+fn hidesApart(code: u32) -> bool {
+  return (code & 64u) != 0u;
+}
+
+// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
+// in m, the half vector before it gets length 1.
+struct FacetLobe {
+  value: vec3f,
+  pdf: f32,
+  // dot(wo, h)
+  cosine: f32,
+}
+
+
+// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
+// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
+fn compensation(s: Surface, cosine: f32) -> vec3f {
+  let code = u32(s.code);
+  let asked = ((code & 8u) != 0u) & !isDielectric(code);
+  let albedo = singleScatteringAlbedo(cosine, s.alpha);
+  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
+}
+
+// Light that the ray found by itself: of the surface that it met.
+fn metLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
+  let direction = p.rays.direction;
+  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
+  let own = emitterOf(s.code);
+  var found = select(s.emission, vec3f(0.0), hidden);
+  // A lamp beyond the number of emitters that light sampling knows counts whole.
+  if ((own >= 0) & (frame.emitterCount > 0u)) {
+    var i = u32(max(own, 0));
+    
+    let met = emitterAt(i, only);
+    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
+    var probability = listedProbability(met, p.rays.point, p.litSide, p.odds);
+    
+    found *= select(misWeight(p.pdf, density * probability), 1.0, p.pdf <= 0.0);
+  }
+  return found;
+}
+
+fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
+  let g = nextGroups(*s);
+  (*s).key = (*s).key + 2u;
+  let x = firstOf(g);
+  let y = secondOf(g);
+  let z = thirdOf(g);
+  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  var hasTree = false;
+  
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= listed) {
+          break;
+        }
+      }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      
+    }
+  }
+  return choice;
+}
+
+// `only`: fetched before, when the program is for scenes with one.
+fn emitterAt(i: u32, only: Emitter) -> Emitter {
+  var emitter = only;
+  if (hasManyLights) {
+    emitter = fetchEmitter(i);
+  }
+  return emitter;
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
+  }
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
+  }
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
+  }
+  
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
+  }
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
+  }
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
+  }
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
+}
 
 struct Emitter {
   // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
@@ -1322,21 +1677,6 @@ struct EmitterChoice {
   odds: Odds,
 }
 
-// What sampling a light gives: one direction, and how likely it was.
-struct LightSample {
-  // Unit, from the point to the light.
-  direction: vec3f,
-  // To where the light is met; `miss` for light from infinity.
-  distance: f32,
-  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
-  radiance: vec3f,
-  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
-  pdf: f32,
-  // A light without size: no ray can meet it.
-  delta: bool,
-}
-
-
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
   let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
@@ -1466,7 +1806,7 @@ fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
 }
 
 fn sampleSky(u: vec2f) -> LightSample {
-  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white);
+  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white0);
   if (hasEnvironment) {
     s = sampleEnvironment(u);
   }
@@ -1480,7 +1820,7 @@ struct EnvironmentSample {
 
 
 // Without a map: white, uniform in all directions.
-const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+const white0 = EnvironmentLight(vec3f(1.0), 0.25 / pi);
 
 // A sky with a map.
 override hasEnvironment = false;
@@ -1634,301 +1974,6 @@ struct EnvironmentLight {
   pdf: f32,
 }
 
-
-// What follows from the direction that light leaves in, whichever it comes from.
-struct Outgoing {
-  wo: vec3f,
-  // Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
-  share: f32,
-  // Of a dielectric: the index behind the boundary over that on wo's side.
-  ratio: f32,
-  // ggx.wesl, of wo.
-  bound: f32,
-  stretched: f32,
-}
-
-
-fn isConductor(code: u32) -> bool {
-  return hasConductors & (kindOf(code) == conductor);
-}
-
-override hasConductors = false;
-
-override hasCompensation = false;
-
-// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
-// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
-// loss near the horizon is a function of that ratio alone as alpha goes to 0.
-fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
-  let x = cosine / (cosine + alpha);
-  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
-  let a2 = alpha * alpha;
-  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
-}
-
-// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
-// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
-fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
-  let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
-  let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
-  return specular / max(specular + diffuse, 1e-20);
-}
-
-fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
-  return mix(vec3f(dielectricF00), baseColor, metallic);
-}
-
-// Albedo of the diffuse part for light that meets facets at this cosine.
-fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec3f {
-  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF00), cosine).x) * baseColor;
-}
-
-const dielectricF00 = 0.04;
-
-// Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
-fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
-  return select(eta, 1.0 / eta, (z < 0.0) & !thin);
-}
-
-// Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
-// Eto and Tokuyoshi, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023, k of equation 5.
-fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
-  let s = 1.0 + length(wo.xy);
-  let s2 = s * s;
-  let a2 = alpha * alpha;
-  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
-}
-
-// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
-fn stretched(w: vec3f, alpha: f32) -> f32 {
-  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
-}
-
-const conductor = 2u;
-
-// Share of the perfect mirror over the base.
-fn mirrorShare(reflectivity: f32) -> f32 {
-  return select(0.0, reflectivity, hasMirrorLayers);
-}
-
-struct BsdfSample {
-  direction: vec3f,
-  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
-  pdf: f32,
-  // f |cos| / pdf
-  weight: vec3f,
-  delta: bool,
-}
-
-
-// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
-fn sampleCosine(u: vec2f) -> vec3f {
-  let radius = sqrt(u.x);
-  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
-  let phi = 6.28318530718 * u.y - 3.14159265359;
-  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
-}
-
-// Kinds of material beside diffuse, and what may be laid over or set on top.
-override hasMirrorLayers = true;
-
-// A facet that wo sees, turned to wo's side.
-fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
-  let side = select(1.0, -1.0, o.wo.z < 0.0);
-  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
-  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
-}
-
-// Share of light that a facet reflects, met at this cosine.
-fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
-  let code = u32(s.code);
-  var reflectance = vec3f(0.0);
-  if (hasMetallicRoughness) {
-    if (!hasLayers) {
-      reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
-    }
-  }
-  if (hasConductors) {
-    reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
-  }
-  if (hasGlass) {
-    reflectance = select(reflectance, vec3f(glassReflectance(cosine, ratio, isThin(code))), isDielectric(code));
-  }
-  return reflectance;
-}
-
-// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
-fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
-  let cosine = dot(wo, h);
-  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
-  return ((cosine - inside) * h - wo) / ratio;
-}
-
-// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
-// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
-fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
-  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
-  let phi = 6.28318530718 * u.x - 3.14159265359;
-  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
-  let drop = u.y * (1.0 + bound * w.z);
-  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
-  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
-  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
-}
-
-// Without measured constants (eta and k black) the base colour comes back at every angle.
-fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
-  let constants = dot(eta + k, vec3f(1.0));
-  return select(baseColor, conductorFresnel(cosine, eta, k), constants > 0.0);
-}
-
-// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
-// Fresnel equations").
-fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
-  let cosine2 = cosine * cosine;
-  let sine2 = 1.0 - cosine2;
-  let difference = eta * eta - k * k - sine2;
-  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
-  // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
-  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
-  let smaller = eta * k / larger;
-  let a = select(smaller, larger, difference > vec3f(0.0));
-  let b = select(larger, smaller, difference > vec3f(0.0));
-  // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
-  let b2 = b * b + least0;
-  let acrossFar = a + cosine;
-  let acrossNear = a - cosine;
-  let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
-  let alongFar = a * cosine + sine2;
-  let alongNear = a * cosine - sine2;
-  let b2cosine2 = b2 * cosine2 + least0;
-  return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
-}
-
-const least0 = 1e-20;
-
-// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
-fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
-  let r = dielectricFresnel(cosine, ratio);
-  return select(r, 2.0 * r / (1.0 + r), thin);
-}
-
-// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
-// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
-fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
-  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
-  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
-  let inside = sqrt(max(inside2, 0.0));
-  let across = (cosine - inside) / (cosine + inside);
-  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
-  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
-}
-
-// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
-fn mirrored(wo: vec3f) -> vec3f {
-  return vec3f(-wo.xy, wo.z);
-}
-
-struct Pair {
-  // As of evaluateBsdf.
-  toLight: vec4f,
-  // With the density and weight of all lobes together.
-  drawn: BsdfSample,
-}
-
-
-// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Of what has no layers: evaluatePair.
-fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
-  let lambert = invPi * max(wi.z, 0.0);
-  var value = vec4f(s.baseColor, 1.0) * lambert;
-  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
-  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
-    let code = u32(s.code);
-    let facets = evaluateFacets(s, o, wi);
-    var base = vec3f(0.0);
-    if (hasMetallicRoughness) {
-      if (!hasLayers) {
-        base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
-      }
-    }
-    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
-    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
-    dark = select(dark, isSmooth(code), isDielectric(code));
-  }
-  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
-}
-
-// `value` is what evaluateBsdf says of the sample's direction.
-fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
-  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
-  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
-  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
-}
-
-// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
-const invPi = 0.31830988618;
-
-
-fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
-  let wo = o.wo;
-  let isGlass = isDielectric(u32(s.code));
-  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
-  let m = wo + wi * select(1.0, o.ratio, crossing);
-  let m2 = max(dot(m, m), 1e-20);
-  let h = m * inverseSqrt(m2);
-  let oh = dot(wo, h);
-  let ih = dot(wi, h);
-  let zo = abs(wo.z);
-  let zi = abs(wi.z);
-  // Facets do not turn their back on one direction while the surface does not. Those that reflect never do: along the surface only the
-  // rounded lengths of wo and wi would say so.
-  let faces = !crossing | ((oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0));
-  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
-  let f = facetReflectance(s, abs(oh), o.ratio);
-  var passes = select(f, 1.0 - f, crossing);
-  let incoming = stretched(wi, s.alpha);
-  let apart = 0.5 * (zo + o.stretched) * (zi + incoming);
-  let masked = zi / max(select(zi * o.stretched + zo * incoming, apart, hidesApart(u32(s.code))), 1e-20);
-  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
-  if (hasCompensation) {
-    passes *= compensation(s, zo);
-  }
-  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
-}
-
-// Kinds, as Surface.code numbers them.
-const diffuse0 = 0u;
-
-// D(h): facets around the half vector per area and solid angle.
-fn facetDensity(h: vec3f, alpha: f32) -> f32 {
-  // At least 1 for a unit vector; opposite directions along the surface have none.
-  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
-  return 0.31830988618 / (alpha * alpha * slope * slope);
-}
-
-// Whether facets are hidden from both directions as often as by chance: Walter et al. 2007, equation 23.
-fn hidesApart(code: u32) -> bool {
-  return (code & 64u) != 0u;
-}
-
-// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
-// in m, the half vector before it gets length 1.
-struct FacetLobe {
-  value: vec3f,
-  pdf: f32,
-  // dot(wo, h)
-  cosine: f32,
-}
-
-
-// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
-// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
-fn compensation(s: Surface, cosine: f32) -> vec3f {
-  let code = u32(s.code);
-  let asked = ((code & 8u) != 0u) & !isDielectric(code);
-  let albedo = singleScatteringAlbedo(cosine, s.alpha);
-  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
-}
 
 const noTriangle = LeftTriangle(noInstance, 0u);
 
@@ -2235,6 +2280,8 @@ struct Frame {
   lampTables: u32,
   // column and row of the picture that the first texel of the film holds
   origin: vec2u,
+  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
+  relayRow: u32,
 }
 
 
@@ -2322,7 +2369,7 @@ fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
 
 // What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
 fn skyLight(direction: vec3f) -> EnvironmentLight {
-  var light = white;
+  var light = white0;
   if (hasEnvironment) {
     light = lookUpEnvironment(direction);
   }

@@ -96,6 +96,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct Groups {
     uvec2 index;
@@ -188,7 +189,7 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
-struct Cover {
+struct Cover0_ {
     vec4 uv;
     float opacity;
 };
@@ -228,6 +229,21 @@ struct Surface {
     float metallic;
     vec3 absorption;
     float textures;
+};
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
+struct Meeting {
+    vec3 point;
+    uint shape;
+    Surface surface;
+    bool isClear;
+    vec3 geometric;
+    vec3 outward;
+    Basis basis;
+    vec3 wo;
 };
 struct SurfacePoint {
     Surface surface;
@@ -274,10 +290,85 @@ struct Bumps {
     vec3 base;
     vec3 coat;
 };
-struct Basis {
-    vec3 tangent;
-    vec3 bitangent;
-    vec3 normal;
+struct LightSample {
+    vec3 direction;
+    float distance_;
+    vec3 radiance;
+    float pdf;
+    bool delta;
+};
+struct Lit {
+    LightSample light;
+    float pdf;
+    float shape;
+    Odds odds;
+    vec3 u;
+};
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+};
+struct Stack {
+    vec3 wo;
+    float side;
+    vec3 hero;
+    float ratio;
+    bool inside;
+    vec3 more;
+    vec2 alpha;
+    float coatAlpha;
+    float coat;
+    float sheen;
+    float sheenColor;
+    float ofCoat;
+    float ofFacets;
+    float ofSheen;
+    float ofDiffuse;
+    bool drawnByCoat;
+};
+struct Reflectance {
+    vec3 dielectric;
+    vec3 metal;
+};
+struct BsdfSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct LayeredSample {
+    vec3 direction;
+    float pdf;
+    bool delta;
+};
+struct Parting {
+    vec3 toward;
+    vec3 beyond;
+};
+struct Pair {
+    vec4 toLight;
+    BsdfSample drawn;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
+struct LayeredPair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct Facets {
+    float value;
+    float density;
+    float cosine;
+};
+struct Cover {
+    float left;
+    vec4 fibres;
 };
 struct Emitter {
     vec3 position;
@@ -359,13 +450,6 @@ struct EmitterChoice {
     float probability;
     Odds odds;
 };
-struct LightSample {
-    vec3 direction;
-    float distance_;
-    vec3 radiance;
-    float pdf;
-    bool delta;
-};
 struct ConeDirection {
     vec3 direction;
     float cosine;
@@ -401,72 +485,6 @@ struct Corners {
     vec4 b;
     vec4 c;
     vec4 d;
-};
-struct Outgoing {
-    vec3 wo;
-    float share;
-    float ratio;
-    float bound;
-    float stretched;
-};
-struct Stack {
-    vec3 wo;
-    float side;
-    vec3 hero;
-    float ratio;
-    bool inside;
-    vec3 more;
-    vec2 alpha;
-    float coatAlpha;
-    float coat;
-    float sheen;
-    float sheenColor;
-    float ofCoat;
-    float ofFacets;
-    float ofSheen;
-    float ofDiffuse;
-    bool drawnByCoat;
-};
-struct Reflectance {
-    vec3 dielectric;
-    vec3 metal;
-};
-struct BsdfSample {
-    vec3 direction;
-    float pdf;
-    vec3 weight;
-    bool delta;
-};
-struct LayeredSample {
-    vec3 direction;
-    float pdf;
-    bool delta;
-};
-struct Parting {
-    vec3 toward;
-    vec3 beyond;
-};
-struct Pair {
-    vec4 toLight;
-    BsdfSample drawn;
-};
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
-};
-struct LayeredPair {
-    vec4 toLight;
-    vec4 toSample;
-};
-struct Facets {
-    float value;
-    float density;
-    float cosine;
-};
-struct Cover0_ {
-    float left;
-    vec4 fibres;
 };
 struct FarLight {
     vec3 radiance;
@@ -525,10 +543,10 @@ const uint filmSlot = 14u;
 const uint filmThicknessSlot = 15u;
 const uint anisotropySlot = 13u;
 const uint dielectric_1 = 3u;
-const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint diffuse0_ = 0u;
 const uint rouletteDepth = 5u;
+const EnvironmentLight white0_ = EnvironmentLight(vec3(1.0), 0.07957747);
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -594,6 +612,14 @@ const bool hasGlass = false;
 
 vec3 grainHere = vec3(0.0);
 
+const bool hasConductors = false;
+
+Stack stackHere = Stack(vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+
+const bool hasCompensation = false;
+
+const bool hasMirrorLayers = true;
+
 const bool hasMeshLamps = false;
 
 const bool hasManyLights = true;
@@ -617,14 +643,6 @@ const bool hasVariedLamps = false;
 const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
-
-const bool hasConductors = false;
-
-Stack stackHere = Stack(vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
-
-const bool hasCompensation = false;
-
-const bool hasMirrorLayers = true;
 
 uniform highp sampler2D previousFilm;
 
@@ -828,10 +846,10 @@ vec2 next2d(inout Sampler s_2) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_19 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_19.x) > abs(p_19.y));
-    float radius_1 = pick(wide, p_19.x, p_19.y);
-    float ratio_6 = (pick(wide, p_19.y, p_19.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_22 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_22.x) > abs(p_22.y));
+    float radius_1 = pick(wide, p_22.x, p_22.y);
+    float ratio_6 = (pick(wide, p_22.y, p_22.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -1031,8 +1049,8 @@ float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 recipro
     float speed = dot(direction_3, normal_15);
     vec3 toCenter_1 = (center_1 - origin_4);
     float t_11 = (dot(toCenter_1, normal_15) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_20 = ((t_11 * direction_3) - toCenter_1);
-    bool within = (max(abs(dot(p_20, reciprocalU)), abs(dot(p_20, reciprocalV))) <= 0.500001);
+    vec3 p_23 = ((t_11 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_23, reciprocalU)), abs(dot(p_23, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
@@ -1127,9 +1145,9 @@ vec4 enterChildren(uint node, SlabRay r, float t_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_21 = (a_2.x * b_2.y);
+    float p_24 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_21)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_24)));
 }
 
 bool isWithin(float u_4, float v_3, float w_1) {
@@ -1184,8 +1202,8 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
-Cover coverAt(uvec3 rows, uint each, vec2 weights) {
-    Cover c = Cover(vec4(0.0), 1.0);
+Cover0_ coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover0_ c = Cover0_(vec4(0.0), 1.0);
     vec3 share_1 = vec3(((1.0 - weights.x) - weights.y), weights);
     if ((each != 0u)) {
         Vertex _e19 = fetchVertex(rows.x);
@@ -1205,7 +1223,7 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
         vec2 _e72 = pairOf(_e47.blueAlpha);
         c.opacity = dot(share_1, vec3(_e66.y, _e69.y, _e72.y));
     }
-    Cover _e76 = c;
+    Cover0_ _e76 = c;
     return _e76;
 }
 
@@ -1279,7 +1297,7 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
     uint row_11 = (_e10.cover & coverRow);
     MaterialTextures _e19 = fetchMaterialTextures(row_11);
-    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    Cover0_ _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
         TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
@@ -1350,8 +1368,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e104 = instance_1;
                 Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
                 vec3 _e109 = o;
-                vec4 p_22 = vec4(_e109, 1.0);
-                o = vec3(dot(_e108.toMeshX, p_22), dot(_e108.toMeshY, p_22), dot(_e108.toMeshZ, p_22));
+                vec4 p_25 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_25), dot(_e108.toMeshY, p_25), dot(_e108.toMeshZ, p_25));
                 vec3 _e121 = d_1;
                 vec3 _e125 = d_1;
                 vec3 _e129 = d_1;
@@ -1771,10 +1789,10 @@ Layers layersOf(uint code_3, float eta) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_23 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_2 = ((1.0 - abs(p_23.x)) - abs(p_23.y));
-    vec2 folded = ((vec2(1.0) - abs(p_23.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_23, vec2(0.0))));
-    return normalize(vec3(pick((z_2 < 0.0), folded, p_23), z_2));
+    vec2 p_26 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_2 = ((1.0 - abs(p_26.x)) - abs(p_26.y));
+    vec2 folded = ((vec2(1.0) - abs(p_26.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_26, vec2(0.0))));
+    return normalize(vec3(pick((z_2 < 0.0), folded, p_26), z_2));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
@@ -2121,9 +2139,9 @@ bool isThin(uint code_8) {
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
-    float m = max((1.0 - cosine), 0.0);
-    float m2_ = (m * m);
-    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+    float m_3 = max((1.0 - cosine), 0.0);
+    float m2_ = (m_3 * m_3);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m_3)));
 }
 
 float coatReflectance(float coat, float cosine_1) {
@@ -2149,30 +2167,1301 @@ float coatCosine(float side_1, vec3 w_2) {
     return abs(_e8);
 }
 
-Emitter fetchEmitter(uint i_18) {
-    vec4 _e2 = tableTexel(14u, i_18);
-    vec4 _e4 = tableTexel(15u, i_18);
-    vec4 _e6 = tableTexel(16u, i_18);
-    vec4 _e8 = tableTexel(17u, i_18);
-    vec4 _e10 = tableTexel(18u, i_18);
-    vec4 _e12 = tableTexel(19u, i_18);
+Meeting meetingAt(inout Path p_12, PairHit hit_1) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+    RayPair rays_2 = p_12.rays;
+    bool escaped = (hit_1.shape == noShape);
+    uint shape_1 = pick(escaped, 0u, hit_1.shape);
+    SurfacePoint _e10 = surfaceAt(rays_2, hit_1, shape_1);
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
+    vec3 outward_1 = _e10.shading;
+    vec3 normal_17 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e29 = basisAbout(normal_17);
+    basis = _e29;
+    const bool _e32 = hasGrain;
+    if (_e32) {
+        vec3 _e34 = grainHere;
+        if (any(notEqual(_e34, vec3(0.0)))) {
+            vec3 _e40 = grainHere;
+            Basis _e41 = basisAlong(normal_17, _e40);
+            basis = _e41;
+        }
+    }
+    Basis _e42 = basis;
+    vec3 _e45 = toLocal(_e42, -(rays_2.direction));
+    const bool _e47 = hasGlass;
+    const bool _e49 = hasTransmission;
+    if (pick(_e47, true, _e49)) {
+        float _e52 = surface_1.code;
+        bool _e54 = isThin(uint(_e52));
+        bool inside_2 = pick(pick(pick(_e19, !(_e54), false), (_e45.z < 0.0), false), !(escaped), false);
+        vec3 _e64 = p_12.throughput;
+        vec3 _e66 = surface_1.absorption;
+        p_12.throughput = (_e64 * exp((-(_e66) * pick(inside_2, hit_1.t, 0.0))));
+    }
+    const bool _e75 = hasCoatNormals;
+    if (_e75) {
+        vec3 _e77 = coatNormalHere;
+        bool away = pick((dot(_e77, rays_2.direction) > 0.0), !(_e19), false);
+        Basis _e85 = basis;
+        vec3 _e87 = coatNormalHere;
+        vec3 _e89 = coatNormalHere;
+        vec3 _e92 = toLocal(_e85, pick(away, -(_e89), _e87));
+        coatNormalHere = _e92;
+    }
+    const bool _e94 = hasCoats;
+    if (_e94) {
+        vec3 _e96 = surface_1.emission;
+        float _e99 = layersHere.coat;
+        float _e101 = coatCosine(1.0, _e45);
+        float _e102 = coatReflectance(_e99, _e101);
+        surface_1.emission = (_e96 * (1.0 - _e102));
+    }
+    Surface _e111 = surface_1;
+    Basis _e113 = basis;
+    return Meeting((rays_2.point + (hit_1.t * rays_2.direction)), shape_1, _e111, _e19, _e10.geometric, outward_1, _e113, _e45);
+}
+
+vec3 heroColor(vec3 throughput, float u_5) {
+    vec3 share_4 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_5 < share_4.x);
+    bool isBlue = pick(pick(!(isRed), (u_5 >= (share_4.x + share_4.y)), false), (share_4.z > 0.0), false);
+    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_4), 1e-6)));
+}
+
+float nextHash(inout Sampler s_6) {
+    uint _e3 = s_6.key;
+    s_6.key = (_e3 + 1u);
+    uint _e7 = s_6.key;
+    uint _e9 = s_6.salt;
+    uint _e11 = mixBits((_e7 ^ _e9));
+    uint _e13 = s_6.sample_;
+    uint _e17 = s_6.place;
+    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
+    float _e21 = unitFloat(_e20);
+    return _e21;
+}
+
+bool isConductor(uint code_9) {
+    const bool _e2 = hasConductors;
+    uint _e3 = kindOf(code_9);
+    return pick(_e2, (_e3 == conductor), false);
+}
+
+vec2 ellipticAlpha(float alpha, float strength) {
+    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
+}
+
+float dispersedIndex(float ior, float dispersion, vec3 hero) {
+    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+}
+
+float greatest(vec3 v_6) {
+    return max(max(v_6.x, v_6.y), v_6.z);
+}
+
+float sheenAlbedo(float cosine_2, float roughness) {
+    float u_29 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_2 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_1 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_12 * v_12);
+    float root_1 = dot((low_2 + ((v2_ * v_12) * high_1)), vec3(1.0, v_12, v2_));
+    float albedo = (root_1 * root_1);
+    return (albedo + (0.005 * max(albedo, 1.0)));
+}
+
+vec3 dielectricF0_() {
+    float _e2 = layersHere.ior;
+    float _e7 = layersHere.ior;
+    float contrast = ((_e2 - 1.0) / (_e7 + 1.0));
+    vec3 _e14 = layersHere.specularColor;
+    return min(((contrast * contrast) * _e14), vec3(1.0));
+}
+
+float singleScatteringAlbedo(float cosine_3, float alpha_1) {
+    float x_22 = (cosine_3 / (cosine_3 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_22 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_22 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_22 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_22 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_ = (alpha_1 * alpha_1);
+    return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
+}
+
+float cosineInAir(float cosine_4, float ratio) {
+    float sine2_ = ((1.0 - (cosine_4 * cosine_4)) / (ratio * ratio));
+    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_), 0.0)), cosine_4);
+}
+
+float outerCosine(float cosine_5) {
+    float outer = 0.0;
+    outer = cosine_5;
+    const bool _e3 = hasTransmission;
+    if (_e3) {
+        float _e6 = stackHere.ratio;
+        float _e7 = cosineInAir(cosine_5, _e6);
+        outer = _e7;
+    }
+    float _e8 = outer;
+    return _e8;
+}
+
+bool reflectsAll(float cosine_6, float ratio_1) {
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
+}
+
+Reflectance bareReflectance(Surface s_7, float cosine_7) {
+    vec3 dielectric = vec3(0.0);
+    float _e2 = outerCosine(cosine_7);
+    float _e5 = layersHere.specularWeight;
+    vec3 _e6 = dielectricF0_();
+    vec3 _e7 = schlick(_e6, _e2);
+    dielectric = (_e5 * _e7);
+    const bool _e11 = hasTransmission;
+    if (_e11) {
+        vec3 _e12 = dielectric;
+        float _e17 = stackHere.ratio;
+        bool _e18 = reflectsAll(cosine_7, _e17);
+        dielectric = pick(_e18, vec3(1.0), _e12);
+    }
+    vec3 _e20 = dielectric;
+    vec3 _e22 = schlick(s_7.baseColor, _e2);
+    return Reflectance(_e20, _e22);
+}
+
+float mean3_(vec3 v_7) {
+    return dot(v_7, vec3(0.33333334));
+}
+
+void meetLayers(Surface s_8, vec3 given, vec3 hero_1) {
+    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
+    float metallic_3 = s_8.metallic;
+    stackHere.wo = wo_8;
+    stackHere.side = side_8;
+    stackHere.hero = hero_1;
+    stackHere.inside = false;
+    stackHere.ratio = 1.0;
+    float _e31 = layersHere.anisotropy;
+    vec2 _e32 = ellipticAlpha(s_8.alpha, _e31);
+    stackHere.alpha = _e32;
+    const bool _e34 = hasTransmission;
+    if (_e34) {
+        float _e37 = layersHere.solid;
+        bool isSolid = (_e37 > 0.0);
+        bool inside_3 = pick(isSolid, (side_8 < 0.0), false);
+        float _e45 = layersHere.ior;
+        float _e48 = layersHere.dispersion;
+        float _e49 = dispersedIndex(_e45, _e48, hero_1);
+        float _e52 = layersHere.transmission;
+        bool flat_ = pick(pick(isSolid, (_e52 > 0.0), false), ((_e49 - 1.0) < 0.001), false);
+        stackHere.inside = inside_3;
+        stackHere.ratio = pick(isSolid, pick(inside_3, (1.0 / _e49), _e49), 1.0);
+        vec2 _e74 = stackHere.alpha;
+        stackHere.alpha = pick(flat_, vec2(0.0), _e74);
+    }
+    stackHere.coat = 0.0;
+    const bool _e82 = hasCoats;
+    if (_e82) {
+        float _e87 = layersHere.coat;
+        float _e88 = coatCosine(side_8, wo_8);
+        float _e89 = coatReflectance(_e87, _e88);
+        bool _e92 = stackHere.inside;
+        stackHere.coat = pick(_e92, 0.0, _e89);
+        float _e99 = layersHere.coatRoughness;
+        float _e102 = layersHere.coatRoughness;
+        stackHere.coatAlpha = (_e99 * _e102);
+    }
+    stackHere.sheenColor = 0.0;
+    stackHere.sheen = 0.0;
+    const bool _e111 = hasSheen;
+    if (_e111) {
+        vec3 _e116 = layersHere.sheenColor;
+        float _e117 = greatest(_e116);
+        stackHere.sheenColor = _e117;
+        float _e120 = stackHere.sheenColor;
+        if ((_e120 > 0.0)) {
+            float _e128 = layersHere.sheenRoughness;
+            float _e129 = sheenAlbedo(wo_8.z, _e128);
+            bool _e132 = stackHere.inside;
+            stackHere.sheen = pick(_e132, 0.0, _e129);
+        }
+    }
+    float _e137 = layersHere.specularWeight;
+    vec3 _e138 = dielectricF0_();
+    vec3 f0_3 = (_e137 * _e138);
+    stackHere.more = vec3(1.0);
+    const bool _e145 = hasCompensation;
+    if (_e145) {
+        float _e150 = stackHere.alpha.x;
+        float _e154 = stackHere.alpha.y;
+        float _e157 = singleScatteringAlbedo(wo_8.z, sqrt((_e150 * _e154)));
+        float _e166 = layersHere.transmission;
+        bool asked = pick(((uint(s_8.code) & 8u) != 0u), (_e166 <= 0.0), false);
+        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_8.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
+    }
+    Reflectance _e185 = bareReflectance(s_8, wo_8.z);
+    vec3 met_1 = mix(_e185.dielectric, _e185.metal, metallic_3);
+    float _e192 = greatest(_e185.dielectric);
+    float enters = ((1.0 - metallic_3) * (1.0 - _e192));
+    float _e197 = mean3_(s_8.baseColor);
+    float coat_1 = stackHere.coat;
+    float _e205 = stackHere.sheenColor;
+    float _e208 = stackHere.sheen;
+    float below_1 = ((1.0 - coat_1) * (1.0 - (_e205 * min(_e208, 1.0))));
+    float _e215 = mean3_(met_1);
+    float _e218 = layersHere.film;
+    float _e224 = layersHere.transmission;
+    float facets = (below_1 * ((_e215 + (0.25 * _e218)) + ((enters * _e224) * _e197)));
+    float _e233 = stackHere.sheen;
+    vec3 _e237 = layersHere.sheenColor;
+    float _e238 = mean3_(_e237);
+    float fibres = (((1.0 - coat_1) * _e233) * _e238);
+    float _e243 = greatest(f0_3);
+    float _e249 = layersHere.transmission;
+    float body = (((below_1 * (1.0 - metallic_3)) * (1.0 - _e243)) * (1.0 - _e249));
+    float _e255 = layersHere.beyond;
+    float diffuse = ((body * (1.0 - _e255)) * _e197);
+    float _e262 = layersHere.beyond;
+    vec3 _e266 = layersHere.beyondColor;
+    float _e267 = mean3_(_e266);
+    float beyond = ((body * _e262) * _e267);
+    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    stackHere.ofCoat = (coat_1 / all_);
+    stackHere.ofFacets = (facets / all_);
+    stackHere.ofSheen = (fibres / all_);
+    stackHere.ofDiffuse = (diffuse / all_);
+    return;
+}
+
+vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
+    return mix(vec3(0.04), baseColor, metallic);
+}
+
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_8) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_8);
+    return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
+}
+
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
+    vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
+    vec3 _e4 = schlick(_e3, cosine_9);
+    float specular = dot(_e4, vec3(1.0));
+    vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
+    float diffuse_1 = dot(_e9, vec3(1.0));
+    return (specular / max((specular + diffuse_1), 1e-20));
+}
+
+float indexRatio(float eta_2, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
+}
+
+float reflectionBound(vec3 wo, float alpha_2) {
+    float s_27 = (1.0 + length(wo.xy));
+    float s2_ = (s_27 * s_27);
+    float a2_1 = (alpha_2 * alpha_2);
+    return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
+}
+
+float stretched(vec3 w_3, float alpha_3) {
+    return sqrt(((w_3.z * w_3.z) + ((alpha_3 * alpha_3) * dot(w_3.xy, w_3.xy))));
+}
+
+Outgoing outgoing(Surface s_9, vec3 wo_1, vec3 hero_2) {
+    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint code_12 = uint(s_9.code);
+    bool _e5 = isConductor(code_12);
+    bool _e6 = isDielectric(code_12);
+    o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasLayers;
+    if (_e17) {
+        bool _e18 = isLayered(code_12);
+        if (_e18) {
+            meetLayers(s_9, wo_1, hero_2);
+        }
+    }
+    const bool _e20 = hasMetallicRoughness;
+    if (_e20) {
+        const bool _e22 = hasLayers;
+        if (!(_e22)) {
+            float _e26 = o_2.share;
+            float _e30 = specularShare(s_9.baseColor, s_9.metallic, wo_1.z);
+            bool _e31 = isMetallicRoughness(code_12);
+            o_2.share = pick(_e31, _e30, _e26);
+        }
+    }
+    const bool _e34 = hasGlass;
+    if (_e34) {
+        bool _e39 = isThin(code_12);
+        float _e40 = indexRatio(s_9.eta.x, wo_1.z, _e39);
+        bool _e41 = isDielectric(code_12);
+        o_2.ratio = pick(_e41, _e40, 1.0);
+    }
+    const bool _e45 = hasConductors;
+    const bool _e47 = hasMetallicRoughness;
+    const bool _e49 = hasLayers;
+    const bool _e54 = hasGlass;
+    if (pick(pick(_e45, true, pick(_e47, !(_e49), false)), true, _e54)) {
+        float _e58 = reflectionBound(wo_1, s_9.alpha);
+        bool _e59 = isDielectric(code_12);
+        o_2.bound = pick(_e59, 1.0, _e58);
+        float _e64 = stretched(wo_1, s_9.alpha);
+        o_2.stretched = _e64;
+    }
+    Outgoing _e65 = o_2;
+    return _e65;
+}
+
+float mirrorShare(float reflectivity) {
+    const bool _e2 = hasMirrorLayers;
+    return pick(_e2, reflectivity, 0.0);
+}
+
+vec3 sampleCosine(vec2 u_6) {
+    float radius_2 = sqrt(u_6.x);
+    float phi = ((6.2831855 * u_6.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi)), (radius_2 * sin(phi)), sqrt((1.0 - u_6.x))));
+}
+
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_7) {
+    float _e8 = stretched(wo_2, alpha_4);
+    vec3 w_6 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_1 = ((6.2831855 * u_7.x) - 3.1415927);
+    float drop = (u_7.y * (1.0 + (bound * w_6.z)));
+    float sine_1 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_6 = (w_6 + vec3((sine_1 * cos(phi_1)), (sine_1 * sin(phi_1)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_6.xy), max(h_6.z, 1e-7)));
+}
+
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_8) {
+    float side_9 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_9), max(alpha_5, 0.001), o_3.bound, u_8);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
+}
+
+vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
+    float cosine2_ = (cosine_10 * cosine_10);
+    float sine2_1 = (1.0 - cosine2_);
+    vec3 difference_1 = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference_1 * difference_1) + ((((4.0 * eta_3) * eta_3) * k) * k)));
+    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference_1))) + vec3(1e-20)));
+    vec3 smaller = ((eta_3 * k) / larger);
+    vec3 a_8 = mix(smaller, larger, greaterThan(difference_1, vec3(0.0)));
+    vec3 b_12 = mix(larger, smaller, greaterThan(difference_1, vec3(0.0)));
+    vec3 b2_ = ((b_12 * b_12) + vec3(1e-20));
+    vec3 acrossFar = (a_8 + vec3(cosine_10));
+    vec3 acrossNear = (a_8 - vec3(cosine_10));
+    vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_8 * cosine_10) + vec3(sine2_1));
+    vec3 alongNear = ((a_8 * cosine_10) - vec3(sine2_1));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+}
+
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_1, float cosine_11) {
+    float constants = dot((eta_4 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_11, eta_4, k_1);
+    return pick((constants > 0.0), _e8, baseColor_3);
+}
+
+float dielectricFresnel(float cosine_12, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
+    float inside_4 = sqrt(max(inside2_, 0.0));
+    float across_6 = ((cosine_12 - inside_4) / (cosine_12 + inside_4));
+    float along_2 = ((((ratio_2 * ratio_2) * cosine_12) - inside_4) / (((ratio_2 * ratio_2) * cosine_12) + inside_4));
+    return pick((inside2_ > 0.0), (0.5 * ((across_6 * across_6) + (along_2 * along_2))), 1.0);
+}
+
+float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_13, ratio_3);
+    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
+}
+
+vec3 facetReflectance(Surface s_10, float cosine_14, float ratio_4) {
+    vec3 reflectance = vec3(0.0);
+    uint code_13 = uint(s_10.code);
+    const bool _e9 = hasMetallicRoughness;
+    if (_e9) {
+        const bool _e11 = hasLayers;
+        if (!(_e11)) {
+            vec3 _e15 = metallicRoughnessF0_(s_10.baseColor, s_10.metallic);
+            vec3 _e16 = schlick(_e15, cosine_14);
+            reflectance = _e16;
+        }
+    }
+    const bool _e18 = hasConductors;
+    if (_e18) {
+        vec3 _e19 = reflectance;
+        vec3 _e23 = conductorReflectance(s_10.baseColor, s_10.eta, s_10.k, cosine_14);
+        bool _e24 = isConductor(code_13);
+        reflectance = pick(_e24, _e23, _e19);
+    }
+    const bool _e27 = hasGlass;
+    if (_e27) {
+        vec3 _e28 = reflectance;
+        bool _e29 = isThin(code_13);
+        float _e30 = glassReflectance(cosine_14, ratio_4, _e29);
+        bool _e32 = isDielectric(code_13);
+        reflectance = pick(_e32, vec3(_e30), _e28);
+    }
+    vec3 _e34 = reflectance;
+    return _e34;
+}
+
+vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_5) {
+    float cosine_20 = dot(wo_3, h_1);
+    float inside_5 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_20 * cosine_20)), 0.0));
+    return ((((cosine_20 - inside_5) * h_1) - wo_3) / vec3(ratio_5));
+}
+
+bool isSolidHere() {
+    const bool _e1 = hasTransmission;
+    float _e4 = layersHere.solid;
+    return pick(_e1, (_e4 > 0.0), false);
+}
+
+float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+    float s_28 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_28 * s_28);
+    float least_1 = min(alpha_6.x, alpha_6.y);
+    float a2_2 = (least_1 * least_1);
+    return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
+}
+
+float ellipticStretched(vec3 w_4, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_4.xy);
+    return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
+}
+
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_9) {
+    float _e8 = ellipticStretched(wo_5, alpha_8);
+    vec3 w_7 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_2 = ((6.2831855 * u_9.x) - 3.1415927);
+    float drop_1 = (u_9.y * (1.0 + (bound_1 * w_7.z)));
+    float sine_2 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
+    vec3 h_7 = (w_7 + vec3((sine_2 * cos(phi_2)), (sine_2 * sin(phi_2)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_7.xy), max(h_7.z, 1e-7)));
+}
+
+vec3 toWorld(Basis b_4, vec3 v_8) {
+    return (((v_8.x * b_4.tangent) + (v_8.y * b_4.bitangent)) + (v_8.z * b_4.normal));
+}
+
+Parting partingOf(Surface s_11, Reflectance r_1) {
+    Parting parting = Parting(vec3(0.0), vec3(0.0));
+    vec3 toward = mix(r_1.dielectric, r_1.metal, s_11.metallic);
+    parting = Parting(toward, vec3(0.0));
+    const bool _e11 = hasTransmission;
+    if (_e11) {
+        float _e16 = greatest(r_1.dielectric);
+        float enters_1 = ((1.0 - s_11.metallic) * (1.0 - _e16));
+        vec3 _e24 = stackHere.hero;
+        bool _e27 = stackHere.inside;
+        float _e32 = layersHere.transmission;
+        vec3 _e38 = stackHere.hero;
+        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_11.baseColor) * _e38));
+    }
+    Parting _e41 = parting;
+    return _e41;
+}
+
+float shareToward(Surface s_12, Reflectance bare) {
+    Parting _e2 = partingOf(s_12, bare);
+    float _e4 = mean3_(_e2.toward);
+    float _e6 = mean3_(_e2.beyond);
+    float _e13 = layersHere.film;
+    return pick((_e6 > 0.0), mix((_e4 / max((_e4 + _e6), 1e-20)), 0.5, (0.5 * _e13)), 1.0);
+}
+
+LayeredSample sampleLayered(Surface s_13, vec3 u_10) {
+    Basis own_1 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec3 ownWo = vec3(0.0);
+    vec3 h_2 = vec3(0.0);
+    vec3 met = vec3(0.0);
+    bool crossing = false;
+    bool lost = false;
+    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, false);
+    vec3 wo_9 = stackHere.wo;
+    bool _e5 = isSolidHere();
+    const bool _e7 = hasCoats;
+    float _e11 = stackHere.ofCoat;
+    bool isCoat_1 = pick(_e7, (u_10.z < _e11), false);
+    float _e17 = stackHere.ofCoat;
+    float _e20 = stackHere.ofFacets;
+    bool isFacet = (u_10.z < (_e17 + _e20));
+    stackHere.drawnByCoat = isCoat_1;
+    vec2 _e27 = stackHere.alpha;
+    float _e30 = stackHere.coatAlpha;
+    vec2 alpha_14 = pick(isCoat_1, vec2(_e30), _e27);
+    bool isSmooth_1 = (max(alpha_14.x, alpha_14.y) < 0.001);
+    vec2 wide_1 = max(alpha_14, vec2(0.001));
+    const bool _e56 = hasCoatNormals;
+    if (_e56) {
+        if (isCoat_1) {
+            float _e59 = stackHere.side;
+            vec3 _e60 = coatNormal(_e59);
+            Basis _e61 = basisAbout(_e60);
+            own_1 = _e61;
+        }
+    }
+    ownWo = wo_9;
+    const bool _e64 = hasCoatNormals;
+    if (_e64) {
+        Basis _e65 = own_1;
+        vec3 _e66 = toLocal(_e65, wo_9);
+        ownWo = _e66;
+    }
+    vec3 _e67 = ownWo;
+    float _e68 = ellipticBound(_e67, wide_1);
+    float bound_2 = pick(pick(_e5, !(isCoat_1), false), 1.0, _e68);
+    vec3 _e73 = ownWo;
+    vec3 _e75 = sampleEllipticNormal(_e73, wide_1, bound_2, u_10.xy);
+    h_2 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
+    const bool _e83 = hasCoatNormals;
+    if (_e83) {
+        Basis _e84 = own_1;
+        vec3 _e85 = h_2;
+        vec3 _e86 = toWorld(_e84, _e85);
+        h_2 = _e86;
+    }
+    vec3 _e87 = h_2;
+    float oh = max(dot(wo_9, _e87), 0.0);
+    vec3 _e93 = h_2;
+    vec3 reflected_1 = (((2.0 * oh) * _e93) - wo_9);
+    met = reflected_1;
+    const bool _e100 = hasTransmission;
+    if (_e100) {
+        float _e104 = stackHere.ofCoat;
+        float _e108 = stackHere.ofFacets;
+        float left_1 = ((u_10.z - _e104) / max(_e108, 1e-20));
+        Reflectance _e113 = bareReflectance(s_13, oh);
+        float _e114 = shareToward(s_13, _e113);
+        crossing = pick(!(isCoat_1), (left_1 >= _e114), false);
+        vec3 _e121 = h_2;
+        float _e124 = stackHere.ratio;
+        vec3 _e125 = refracted(wo_9, _e121, _e124);
+        vec3 beyond_1 = pick(_e5, _e125, vec3(reflected_1.xy, -(reflected_1.z)));
+        bool _e127 = crossing;
+        met = pick(_e127, beyond_1, reflected_1);
+    }
+    bool _e130 = crossing;
+    float _e132 = met.z;
+    lost = pick(!(isSmooth_1), (_e130 != (_e132 < 0.0)), false);
+    const bool _e139 = hasCoatNormals;
+    if (_e139) {
+        if (isCoat_1) {
+            vec3 _e141 = own_1.normal;
+            vec3 _e142 = met;
+            float _e147 = met.z;
+            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_13.eta.x < 0.0), false));
+        }
+    }
+    vec3 _e156 = met;
+    bool _e157 = lost;
+    drawn = LayeredSample(_e156, pick(_e157, 0.0, 1.0), isSmooth_1);
+    if (!(isFacet)) {
+        float _e167 = stackHere.ofCoat;
+        float _e171 = stackHere.ofFacets;
+        float next = ((u_10.z - _e167) - _e171);
+        float sine_3 = sqrt(max((u_10.x * (2.0 - u_10.x)), 0.0));
+        float phi_3 = ((6.2831855 * u_10.y) - 3.1415927);
+        vec3 even = vec3((sine_3 * cos(phi_3)), (sine_3 * sin(phi_3)), (1.0 - u_10.x));
+        vec3 _e195 = sampleCosine(u_10.xy);
+        const bool _e201 = hasTransmission;
+        float _e204 = stackHere.ofSheen;
+        float _e207 = stackHere.ofDiffuse;
+        vec3 below_2 = vec3(_e195.xy, pick(pick(_e201, (next >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
+        const bool _e214 = hasSheen;
+        float _e217 = stackHere.ofSheen;
+        drawn = LayeredSample(pick(pick(_e214, (next < _e217), false), even, below_2), 1.0, false);
+    }
+    float _e226 = drawn.direction.z;
+    float _e229 = stackHere.side;
+    drawn.direction.z = (_e226 * _e229);
+    LayeredSample _e231 = drawn;
+    return _e231;
+}
+
+vec3 mirrored(vec3 wo_6) {
+    return vec3(-(wo_6.xy), wo_6.z);
+}
+
+BsdfSample sampleLobe(Surface s_14, Outgoing o_4, vec3 u_11) {
+    BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wi = vec3(0.0);
+    float probability = 0.0;
+    vec3 weight = vec3(0.0);
+    vec3 wo_10 = o_4.wo;
+    float _e5 = mirrorShare(s_14.reflectivity);
+    float base_1 = (1.0 - _e5);
+    float choice_2 = ((u_11.z - _e5) / base_1);
+    vec3 _e12 = sampleCosine(u_11.xy);
+    drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
+    const bool _e20 = hasConductors;
+    const bool _e22 = hasMetallicRoughness;
+    const bool _e24 = hasLayers;
+    const bool _e29 = hasGlass;
+    if (pick(pick(_e20, true, pick(_e22, !(_e24), false)), true, _e29)) {
+        uint code_14 = uint(s_14.code);
+        bool _e33 = isDielectric(code_14);
+        bool _e34 = isSmooth(code_14);
+        vec3 _e37 = sampleFacet(s_14.alpha, _e34, o_4, u_11.xy);
+        float oh_1 = max(dot(wo_10, _e37), 0.0);
+        vec3 _e42 = facetReflectance(s_14, oh_1, o_4.ratio);
+        bool crossing_2 = pick(_e33, (choice_2 >= _e42.x), false);
+        wi = (((2.0 * oh_1) * _e37) - wo_10);
+        probability = (base_1 * o_4.share);
+        weight = (_e42 / vec3(o_4.share));
+        const bool _e59 = hasGlass;
+        if (_e59) {
+            bool _e60 = isThin(code_14);
+            vec3 _e61 = wi;
+            vec3 _e63 = refracted(wo_10, _e37, o_4.ratio);
+            wi = pick(crossing_2, pick(_e60, -(wo_10), _e63), _e61);
+            float _e67 = probability;
+            probability = pick(_e33, (base_1 * pick(crossing_2, (1.0 - _e42.x), _e42.x)), _e67);
+            vec3 _e75 = weight;
+            weight = pick(_e33, vec3(pick(pick(crossing_2, !(_e60), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e75);
+        }
+        float _e92 = wi.z;
+        bool lost_1 = pick(!(_e34), (crossing_2 != ((wo_10.z < 0.0) != (_e92 < 0.0))), false);
+        bool specular_1 = (choice_2 < o_4.share);
+        vec3 _e102 = drawn_1.direction;
+        vec3 _e103 = wi;
+        drawn_1.direction = pick(specular_1, _e103, _e102);
+        float _e107 = drawn_1.pdf;
+        float _e108 = probability;
+        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e108), _e107);
+        vec3 _e114 = drawn_1.weight;
+        vec3 _e115 = weight;
+        drawn_1.weight = pick(specular_1, _e115, _e114);
+        drawn_1.delta = pick(specular_1, _e34, false);
+    }
+    const bool _e120 = hasLayers;
+    if (_e120) {
+        bool _e123 = isLayered(uint(s_14.code));
+        if (_e123) {
+            LayeredSample _e126 = sampleLayered(s_14, vec3(u_11.xy, choice_2));
+            drawn_1 = BsdfSample(_e126.direction, (base_1 * _e126.pdf), vec3(0.0), _e126.delta);
+        }
+    }
+    const bool _e135 = hasMirrorLayers;
+    if (_e135) {
+        bool reflected_2 = (u_11.z < _e5);
+        vec3 _e140 = drawn_1.direction;
+        vec3 _e141 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_2, _e141, _e140);
+        float _e145 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_2, _e5, _e145);
+        vec3 _e149 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_2, vec3(1.0), _e149);
+        bool _e155 = drawn_1.delta;
+        drawn_1.delta = pick(_e155, true, reflected_2);
+    }
+    BsdfSample _e157 = drawn_1;
+    return _e157;
+}
+
+float facetDensity(vec3 h_3, float alpha_9) {
+    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
+    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+}
+
+bool hidesApart(uint code_10) {
+    return ((code_10 & 64u) != 0u);
+}
+
+vec3 compensation(Surface s_15, float cosine_15) {
+    uint code_15 = uint(s_15.code);
+    bool _e8 = isDielectric(code_15);
+    bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_15, s_15.alpha);
+    vec3 _e17 = facetReflectance(s_15, 1.0, 1.0);
+    return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_16, Outgoing o_5, vec3 wi_1) {
+    vec3 passes = vec3(0.0);
+    vec3 wo_11 = o_5.wo;
+    bool _e6 = isDielectric(uint(s_16.code));
+    const bool _e8 = hasGlass;
+    bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
+    vec3 m_4 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
+    float m2_1 = max(dot(m_4, m_4), 1e-20);
+    vec3 h_8 = (m_4 * inversesqrt(m2_1));
+    float oh_2 = dot(wo_11, h_8);
+    float ih = dot(wi_1, h_8);
+    float zo = abs(wo_11.z);
+    float zi = abs(wi_1.z);
+    bool faces = pick(!(crossing_3), true, pick((((oh_2 * h_8.z) * wo_11.z) >= 0.0), (((ih * h_8.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_8, s_16.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_16, abs(oh_2), o_5.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
+    float _e69 = stretched(wi_1, s_16.alpha);
+    float apart = ((0.5 * (zo + o_5.stretched)) * (zi + _e69));
+    bool _e82 = hidesApart(uint(s_16.code));
+    float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_16, zo);
+        passes = (_e99 * _e100);
+    }
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
+}
+
+vec4 evaluateBsdf(Surface s_17, Outgoing o_6, vec3 wi_2) {
+    vec4 value = vec4(0.0);
+    bool dark = false;
+    vec3 base = vec3(0.0);
+    float lambert = (0.31830987 * max(wi_2.z, 0.0));
+    value = (vec4(s_17.baseColor, 1.0) * lambert);
+    dark = pick((o_6.wo.z < 0.0), true, (wi_2.z <= 0.0));
+    const bool _e23 = hasConductors;
+    const bool _e25 = hasMetallicRoughness;
+    const bool _e27 = hasLayers;
+    const bool _e32 = hasGlass;
+    if (pick(pick(_e23, true, pick(_e25, !(_e27), false)), true, _e32)) {
+        uint code_16 = uint(s_17.code);
+        FacetLobe _e36 = evaluateFacets(s_17, o_6, wi_2);
+        const bool _e41 = hasMetallicRoughness;
+        if (_e41) {
+            const bool _e43 = hasLayers;
+            if (!(_e43)) {
+                vec3 _e45 = base;
+                vec3 _e49 = metallicRoughnessDiffuse(s_17.baseColor, s_17.metallic, _e36.cosine);
+                bool _e50 = isMetallicRoughness(code_16);
+                base = pick(_e50, _e49, _e45);
+            }
+        }
+        bool _e59 = isSmooth(code_16);
+        vec4 rough_1 = pick(_e59, vec4(0.0), vec4(_e36.value, (o_6.share * _e36.pdf)));
+        vec3 _e61 = base;
+        vec4 _e68 = value;
+        uint _e69 = kindOf(code_16);
+        value = pick((_e69 == diffuse0_), _e68, (rough_1 + (vec4(_e61, (1.0 - o_6.share)) * lambert)));
+        bool _e73 = dark;
+        bool _e74 = isSmooth(code_16);
+        bool _e75 = isDielectric(code_16);
+        dark = pick(_e75, _e74, _e73);
+    }
+    float _e78 = mirrorShare(s_17.reflectivity);
+    vec4 _e81 = value;
+    bool _e85 = dark;
+    return pick(_e85, vec4(0.0), ((1.0 - _e78) * _e81));
+}
+
+BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
+    float pdf_1 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_1 = pick((pdf_1 > 0.0), (value_1.xyz / vec3(max(pdf_1, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_1), pick(drawn_2.delta, drawn_2.weight, weight_1), drawn_2.delta);
+}
+
+float ellipticDensity(vec3 h_4, vec2 alpha_10) {
+    vec2 scaled_1 = (h_4.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
+    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+}
+
+Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
+    vec3 wo_12 = stackHere.wo;
+    vec2 _e8 = stackHere.alpha;
+    float _e11 = stackHere.coatAlpha;
+    vec2 alpha_15 = pick(isCoat, vec2(_e11), _e8);
+    bool isRough = (max(alpha_15.x, alpha_15.y) >= 0.001);
+    vec2 wide_2 = max(alpha_15, vec2(0.001));
+    float _e24 = stackHere.ratio;
+    vec3 m_5 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
+    float m2_2 = max(dot(m_5, m_5), 1e-20);
+    vec3 h_9 = (m_5 * inversesqrt(m2_2));
+    float oh_3 = dot(wo_12, h_9);
+    float ih_1 = dot(wi_3, h_9);
+    ownWo_1 = wo_12;
+    ownWi = wi_3;
+    ownH = h_9;
+    const bool _e40 = hasCoatNormals;
+    if (_e40) {
+        if (isCoat) {
+            float _e43 = stackHere.side;
+            vec3 _e44 = coatNormal(_e43);
+            Basis _e45 = basisAbout(_e44);
+            vec3 _e46 = toLocal(_e45, wo_12);
+            ownWo_1 = _e46;
+            vec3 _e47 = toLocal(_e45, wi_3);
+            ownWi = _e47;
+            vec3 _e48 = toLocal(_e45, h_9);
+            ownH = _e48;
+        }
+    }
+    float _e50 = ownH.z;
+    float _e55 = ownH.z;
+    float _e58 = ownWi.z;
+    float _e64 = ownWi.z;
+    bool faces_1 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
+    vec3 _e74 = ownH;
+    float _e75 = ellipticDensity(_e74, wide_2);
+    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_1, isRough, false), (2.0 * _e75), 0.0));
+    vec3 _e82 = ownWo_1;
+    float _e83 = ellipticStretched(_e82, wide_2);
+    float _e85 = ownWi.z;
+    float ownZi = abs(_e85);
+    float _e89 = ownWo_1.z;
+    vec3 _e90 = ownWi;
+    float _e91 = ellipticStretched(_e90, wide_2);
+    float masked_1 = (ownZi / max(((ownZi * _e83) + (_e89 * _e91)), 1e-20));
+    vec3 _e97 = ownWo_1;
+    float _e98 = ellipticBound(_e97, wide_2);
+    bool _e99 = isSolidHere();
+    float bound_3 = pick(pick(_e99, !(isCoat), false), 1.0, _e98);
+    float _e106 = ownWo_1.z;
+    return Facets((spread_1 * masked_1), (spread_1 / ((bound_3 * _e106) + _e83)), min(abs(oh_3), 1.0));
+}
+
+vec3 indexOf(vec3 f0_1) {
+    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
+    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
+}
+
+vec3 sensitivity(float difference, vec3 shift) {
+    float phase = (6.2831855e-9 * difference);
+    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
+    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
+    vec4 height_1 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
+    vec4 lobes = ((height_1 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_23 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_23) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_23) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_23) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+}
+
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_16) {
+    vec3 sum = vec3(0.0);
+    vec3 amplitude = vec3(0.0);
+    float order = 1.0;
+    float sine2_2 = ((1.0 - (cosine_16 * cosine_16)) / (filmIor * filmIor));
+    float within_1 = sqrt(max((1.0 - sine2_2), 0.0));
+    float first_2 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_2 * first_2)), cosine_16);
+    float r12_ = _e21.x;
+    float t121_ = (1.0 - r12_);
+    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
+    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
+    vec3 _e35 = schlick((second_1 * second_1), within_1);
+    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
+    vec3 once = sqrt(r123_);
+    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
+    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
+    float difference_2 = (((2.0 * filmIor) * thickness) * within_1);
+    sum = (vec3(r12_) + rs);
+    amplitude = (rs - vec3(t121_));
+    while(true) {
+        vec3 _e71 = amplitude;
+        amplitude = (_e71 * once);
+        vec3 _e73 = sum;
+        vec3 _e74 = amplitude;
+        float _e77 = order;
+        float _e79 = order;
+        vec3 _e81 = sensitivity((_e77 * difference_2), (_e79 * shift_1));
+        sum = (_e73 + ((2.0 * _e74) * _e81));
+        float _e84 = order;
+        order = (_e84 + 1.0);
+        float _e87 = order;
+        if ((_e87 > 2.5)) {
+            break;
+        }
+    }
+    vec3 _e90 = sum;
+    return clamp(_e90, vec3(0.0), vec3(1.0));
+}
+
+Reflectance filmedReflectance(Surface s_18, Reflectance bare_1, float cosine_17) {
+    Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
+    bool isMetal = false;
+    r_2 = bare_1;
+    float _e6 = layersHere.film;
+    if ((_e6 > 0.0)) {
+        float _e9 = outerCosine(cosine_17);
+        isMetal = (s_18.metallic >= 1.0);
+        while(true) {
+            float _e16 = layersHere.specularWeight;
+            vec3 _e17 = dielectricF0_();
+            bool _e20 = isMetal;
+            vec3 f0_4 = pick(_e20, s_18.baseColor, (_e16 * _e17));
+            float _e24 = layersHere.filmIor;
+            float _e27 = layersHere.filmThickness;
+            vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
+            bool _e29 = isMetal;
+            if (_e29) {
+                vec3 _e32 = r_2.metal;
+                float _e35 = layersHere.film;
+                r_2.metal = mix(_e32, _e28, _e35);
+            } else {
+                vec3 _e39 = r_2.dielectric;
+                float _e42 = layersHere.film;
+                r_2.dielectric = mix(_e39, _e28, _e42);
+            }
+            bool _e44 = isMetal;
+            if (pick(_e44, true, (s_18.metallic <= 0.0))) {
+                break;
+            }
+            isMetal = true;
+        }
+        const bool _e51 = hasTransmission;
+        if (_e51) {
+            vec3 _e54 = r_2.dielectric;
+            float _e59 = stackHere.ratio;
+            bool _e60 = reflectsAll(cosine_17, _e59);
+            r_2.dielectric = pick(_e60, vec3(1.0), _e54);
+        }
+    }
+    Reflectance _e62 = r_2;
+    return _e62;
+}
+
+float shadowingExponent(float x_13, float alpha_11) {
+    float m_6 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_9 = mix(21.5473, 25.3245, m_6);
+    float b_13 = mix(3.82987, 3.32435, m_6);
+    float c_6 = mix(0.19823, 0.16801, m_6);
+    float d_3 = mix(-1.9776, -1.27393, m_6);
+    float e_28 = mix(-4.32054, -4.85967, m_6);
+    return (((a_9 / (1.0 + (b_13 * pow(x_13, c_6)))) + (d_3 * x_13)) + e_28);
+}
+
+float sheenShadowing(float cosine_18, float alpha_12) {
+    float x_24 = clamp(cosine_18, 1e-6, 1.0);
+    bool isLow = (x_24 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_24, max((1.0 - x_24), 1e-6)), alpha_12);
+    float _e14 = shadowingExponent(0.5, alpha_12);
+    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
+}
+
+float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
+    vec3 m_7 = (wo_7 + wi_4);
+    float m2_3 = max(dot(m_7, m_7), 1e-20);
+    float sine2_3 = clamp((dot(m_7.xy, m_7.xy) / m2_3), 0.0, 1.0);
+    float power = (0.5 / alpha_13);
+    float density = (((2.0 + (2.0 * power)) * 0.15915494) * pick((sine2_3 < 1e-20), 0.0, exp((power * log(max(sine2_3, 1e-20))))));
+    float zo_1 = max(wo_7.z, 1e-6);
+    float _e38 = sheenShadowing(wo_7.z, alpha_13);
+    float _e42 = sheenShadowing(wi_4.z, alpha_13);
+    return (density / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+}
+
+float sheenAlpha(float roughness_1) {
+    float r_4 = max(roughness_1, 0.07);
+    return (r_4 * r_4);
+}
+
+Cover coverTowards(vec3 wi_5, bool crossing_1) {
+    Cover cover_1 = Cover(1.0, vec4(0.0));
+    const bool _e8 = hasCoats;
+    if (_e8) {
+        float _e11 = layersHere.coat;
+        float _e14 = stackHere.side;
+        float _e15 = coatCosine(_e14, wi_5);
+        float _e16 = coatReflectance(_e11, _e15);
+        float _e20 = stackHere.coat;
+        bool _e23 = stackHere.inside;
+        cover_1.left = (1.0 - pick(pick(_e23, crossing_1, false), _e16, _e20));
+    }
+    const bool _e29 = hasSheen;
+    if (_e29) {
+        float _e32 = stackHere.sheenColor;
+        if ((_e32 > 0.0)) {
+            float _e37 = layersHere.solid;
+            bool _e43 = stackHere.inside;
+            bool isOutside = pick(!((_e37 > 0.0)), true, (_e43 == crossing_1));
+            float _e48 = stackHere.sheen;
+            float _e53 = layersHere.sheenRoughness;
+            float _e54 = sheenAlbedo(abs(wi_5.z), _e53);
+            float most_2 = max(_e48, _e54);
+            float _e58 = stackHere.coat;
+            vec3 _e63 = stackHere.wo;
+            float _e66 = layersHere.sheenRoughness;
+            float _e67 = sheenAlpha(_e66);
+            float _e68 = whiteSheen(_e63, wi_5, _e67);
+            float white = (((1.0 - _e58) * _e68) / max(most_2, 1.0));
+            vec3 _e76 = layersHere.sheenColor;
+            float _e80 = stackHere.ofSheen;
+            bool _e88 = stackHere.inside;
+            cover_1.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white * _e76), (_e80 * 0.15915494)));
+            float _e92 = cover_1.left;
+            float _e95 = stackHere.sheenColor;
+            float _e98 = stackHere.sheen;
+            cover_1.left = (_e92 * (1.0 - (_e95 * min(pick(isOutside, most_2, _e98), 1.0))));
+        }
+    }
+    Cover _e106 = cover_1;
+    return _e106;
+}
+
+float ofBeyond() {
+    float _e2 = stackHere.ofCoat;
+    float _e7 = stackHere.ofFacets;
+    float _e11 = stackHere.ofSheen;
+    float _e15 = stackHere.ofDiffuse;
+    return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
+}
+
+LayeredPair evaluateLayers(Surface s_19, vec3 toLight_1, vec3 toSample, bool byMirror) {
+    LayeredPair pair = LayeredPair(vec4(0.0), vec4(0.0));
+    bool isLight = false;
+    bool isFirst = true;
+    vec4 sum_1 = vec4(0.0);
+    float intoBody = 0.0;
+    Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
+    float chosen = 0.0;
+    uint _e12 = frame.emitterCount;
+    isLight = (_e12 > 0u);
+    while(true) {
+        bool _e23 = isLight;
+        vec3 given_2 = pick(_e23, toLight_1, toSample);
+        float _e29 = stackHere.side;
+        vec3 wi_6 = vec3(given_2.xy, (given_2.z * _e29));
+        vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
+        const bool _e37 = hasTransmission;
+        const bool _e39 = hasCoatNormals;
+        bool crossing_4 = pick(pick(_e37, true, _e39), (wi_6.z < 0.0), false);
+        float _e47 = stackHere.coat;
+        bool _e50 = isSolidHere();
+        bool _e53 = stackHere.inside;
+        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_19.metallic < 1.0), false));
+        const bool _e62 = hasCoats;
+        const bool _e64 = hasTransmission;
+        bool _e66 = isFirst;
+        bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
+        const bool _e70 = hasCoatNormals;
+        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_19.eta.x >= 0.0), false)), false);
+        bool _e78 = isSolidHere();
+        bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
+        Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
+        bool _e87 = isLight;
+        bool ofMirror = pick(byMirror, !(_e87), false);
+        bool _e92 = stackHere.drawnByCoat;
+        bool isMirror_1 = pick(ofMirror, (isCoat_2 == _e92), false);
+        float value_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.value));
+        float density_1 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
+        float _e109 = stackHere.wo.z;
+        bool _e112 = stackHere.inside;
+        float cosine_21 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
+        Reflectance _e116 = bareReflectance(s_19, cosine_21);
+        r_3 = _e116;
+        const bool _e119 = hasIridescence;
+        if (_e119) {
+            Reflectance _e120 = filmedReflectance(s_19, _e116, cosine_21);
+            r_3 = _e120;
+        }
+        float _e121 = intoBody;
+        vec3 _e126 = r_3.dielectric;
+        float _e127 = greatest(_e126);
+        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_19.metallic) * (1.0 - _e127)), _e121);
+        if (isCoat_2) {
+            float _e136 = stackHere.coat;
+            float _e141 = stackHere.ofCoat;
+            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_1)));
+            isFirst = false;
+        } else {
+            Cover _e148 = coverTowards(wi_6, crossing_4);
+            Reflectance _e149 = r_3;
+            Parting _e150 = partingOf(s_19, _e149);
+            vec3 _e155 = stackHere.more;
+            vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
+            float _e165 = stackHere.ofFacets;
+            chosen = _e165;
+            const bool _e168 = hasTransmission;
+            if (_e168) {
+                float _e169 = shareToward(s_19, _e116);
+                float _e170 = chosen;
+                float _e176 = stackHere.ratio;
+                float _e179 = stackHere.ratio;
+                chosen = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
+            }
+            vec4 _e185 = sum_1;
+            float _e187 = chosen;
+            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_1)));
+            float _e193 = layersHere.beyond;
+            float _e200 = layersHere.beyond;
+            vec3 _e203 = layersHere.beyondColor;
+            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_19.baseColor));
+            float _e207 = intoBody;
+            float _e211 = layersHere.transmission;
+            vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
+            float _e219 = stackHere.ofDiffuse;
+            float _e220 = ofBeyond();
+            vec4 even_1 = (_e148.fibres + (vec4(matte, pick(crossing_4, _e220, _e219)) * (0.31830987 * facing.z)));
+            vec4 _e228 = sum_1;
+            sum_1 = (_e228 + pick(ofMirror, vec4(0.0), even_1));
+            vec4 _e233 = sum_1;
+            sum_1 = pick(pick(!(crossing_4), (wi_6.z < 0.0), false), vec4(0.0), _e233);
+            vec4 _e243 = pair.toLight;
+            vec4 _e244 = sum_1;
+            bool _e245 = isLight;
+            vec4 _e247 = sum_1;
+            pair = LayeredPair(pick(_e245, _e244, _e243), _e247);
+            bool _e249 = isLight;
+            if (!(_e249)) {
+                break;
+            }
+            isLight = false;
+            isFirst = true;
+            sum_1 = vec4(0.0);
+        }
+    }
+    LayeredPair _e255 = pair;
+    return _e255;
+}
+
+Pair evaluatePair(Surface s_20, Outgoing o_7, vec3 toLight_2, BsdfSample drawn_3) {
+    Pair pair_1 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
+    vec4 _e4 = evaluateBsdf(s_20, o_7, toLight_2);
+    vec4 _e6 = evaluateBsdf(s_20, o_7, drawn_3.direction);
+    BsdfSample _e7 = completed(drawn_3, _e6);
+    pair_1 = Pair(_e4, _e7);
+    const bool _e11 = hasLayers;
+    if (_e11) {
+        bool _e14 = isLayered(uint(s_20.code));
+        if (_e14) {
+            bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
+            float _e24 = mirrorShare(s_20.reflectivity);
+            float base_2 = (1.0 - _e24);
+            LayeredPair _e28 = evaluateLayers(s_20, toLight_2, drawn_3.direction, byMirror_1);
+            pair_1.toLight = (base_2 * _e28.toLight);
+            BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_2 * _e28.toSample));
+            pair_1.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
+        }
+    }
+    Pair _e48 = pair_1;
+    return _e48;
+}
+
+bool crosses(vec3 geometric_2, vec3 a_3, vec3 b_5) {
+    return ((dot(geometric_2, a_3) > 0.0) != (dot(geometric_2, b_5) > 0.0));
+}
+
+float misWeight(float own_2, float other) {
+    float ratio_7 = (other / own_2);
+    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
+}
+
+float max3_(vec3 v_9) {
+    return max(max(v_9.x, v_9.y), v_9.z);
+}
+
+vec3 litSideOf(Meeting m) {
+    return pick(m.isClear, vec3(0.0), m.basis.normal);
+}
+
+bool isFlat(uint i_18) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_18 >= _e4);
+}
+
+void scatter(inout Path p_13, PairHit hit_2, Meeting m_1, Lit lit) {
+    vec3 hero_3 = vec3(1.0);
+    RayPair rays_3 = p_13.rays;
+    bool escaped_1 = (hit_2.shape == noShape);
+    LightSample light_1 = lit.light;
+    const bool _e14 = hasTransmission;
+    if (_e14) {
+        float _e18 = layersHere.dispersion;
+        if (pick(m_1.isClear, (_e18 > 0.0), false)) {
+            vec3 _e23 = p_13.throughput;
+            float _e25 = nextHash(p_13.sampler_);
+            vec3 _e26 = heroColor(_e23, _e25);
+            hero_3 = _e26;
+        }
+    }
+    vec3 _e29 = hero_3;
+    Outgoing _e30 = outgoing(m_1.surface, m_1.wo, _e29);
+    BsdfSample _e33 = sampleLobe(m_1.surface, _e30, lit.u);
+    vec3 _e37 = toLocal(m_1.basis, light_1.direction);
+    Pair _e38 = evaluatePair(m_1.surface, _e30, _e37, _e33);
+    const bool _e40 = hasMeshes;
+    bool opaque = pick(_e40, !(m_1.isClear), false);
+    bool _e48 = crosses(m_1.geometric, light_1.direction, -(rays_3.direction));
+    bool lightLeaks = pick(opaque, _e48, false);
+    vec4 toLight_5 = pick(lightLeaks, vec4(0.0), _e38.toLight);
+    bool alone_1 = pick(light_1.delta, true, pick((lit.shape < 0.0), (light_1.distance_ < 1e30), false));
+    float _e65 = misWeight(lit.pdf, toLight_5.w);
+    float lightWeight = (pick(alone_1, 1.0, _e65) / lit.pdf);
+    BsdfSample bsdf = _e38.drawn;
+    vec3 _e73 = toWorld(m_1.basis, bsdf.direction);
+    bool _e77 = crosses(m_1.geometric, _e73, -(rays_3.direction));
+    bool leaks = pick(opaque, _e77, false);
+    uint _e81 = p_13.depth;
+    uint _e84 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e81 != _e84), false);
+    vec3 _e88 = p_13.throughput;
+    vec3 contribution = (((_e88 * toLight_5.xyz) * light_1.radiance) * lightWeight);
+    bool isLit = pick(pick(goesOn, (lit.pdf > 0.0), false), any(greaterThan((toLight_5.xyz * light_1.radiance), vec3(0.0))), false);
+    p_13.light = pick(isLit, contribution, vec3(0.0));
+    vec3 _e111 = p_13.throughput;
+    vec3 throughput_1 = (_e111 * bsdf.weight);
+    float _e114 = max3_(throughput_1);
+    uint _e120 = p_13.depth;
+    float survival = pick((_e120 < rouletteDepth), 1.0, min((_e114 / 0.33333334), 0.95));
+    float _e131 = max3_(throughput_1);
+    float _e136 = nextHash(p_13.sampler_);
+    bool alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e131 > 0.0), false), (_e136 < survival), false);
+    uint _e141 = p_13.depth;
+    p_13.depth = (_e141 + 1u);
+    const bool _e144 = hasMeshes;
+    bool stays = pick(!(_e144), escaped_1, false);
+    vec3 _e151 = p_13.throughput;
+    p_13.throughput = pick(stays, _e151, (throughput_1 / vec3(survival)));
+    float _e159 = p_13.pdf;
+    p_13.pdf = pick(stays, _e159, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e162 = litSideOf(m_1);
+    vec3 _e164 = p_13.litSide;
+    p_13.litSide = pick(stays, _e164, _e162);
+    float _e172 = p_13.odds.total;
+    p_13.odds.total = pick(stays, _e172, lit.odds.total);
+    float _e180 = p_13.odds.tree;
+    p_13.odds.tree = pick(stays, _e180, lit.odds.tree);
+    bool _e183 = isFlat(m_1.shape);
+    bool solid = !(_e183);
+    uint lightShape = pick((lit.shape >= 0.0), uint(max(lit.shape, 0.0)), noShape);
+    Sampler _e222 = p_13.sampler_;
+    uint _e223 = numberOfNext(_e222);
+    p_13.rays = RayPair(pick(stays, rays_3.point, m_1.point), m_1.shape, hit_2.triangle, (1e-5 * length(m_1.point)), alive, pick(stays, rays_3.direction, _e73), pick(solid, (dot(_e73, m_1.outward) < 0.0), false), light_1.direction, pick(solid, (dot(light_1.direction, m_1.outward) < 0.0), false), pick(isLit, light_1.distance_, -1.0), lightShape, _e223);
+    return;
+}
+
+Emitter fetchEmitter(uint i_19) {
+    vec4 _e2 = tableTexel(14u, i_19);
+    vec4 _e4 = tableTexel(15u, i_19);
+    vec4 _e6 = tableTexel(16u, i_19);
+    vec4 _e8 = tableTexel(17u, i_19);
+    vec4 _e10 = tableTexel(18u, i_19);
+    vec4 _e12 = tableTexel(19u, i_19);
     return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
-int emitterOf(float code_9) {
-    return ((int(code_9) >> 7u) - 1);
+int emitterOf(float code_11) {
+    return ((int(code_11) >> 7u) - 1);
 }
 
 uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
     return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
 }
 
-Emitter emitterAt(uint i_19, Emitter only) {
+Emitter emitterAt(uint i_20, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_19);
+        Emitter _e5 = fetchEmitter(i_20);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
@@ -2181,12 +3470,12 @@ Emitter emitterAt(uint i_19, Emitter only) {
 
 SphereView viewSphere(Emitter e_1, vec3 point) {
     vec3 toCenter_2 = (e_1.position - point);
-    float d_3 = length(toCenter_2);
-    float power = abs(((d_3 - e_1.radius) * (d_3 + e_1.radius)));
-    bool inside_2 = (d_3 <= e_1.radius);
-    float sine_1 = min((e_1.radius / max(d_3, 1e-30)), 1.0);
-    float cosine_20 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_20))));
+    float d_4 = length(toCenter_2);
+    float power_1 = abs(((d_4 - e_1.radius) * (d_4 + e_1.radius)));
+    bool inside_6 = (d_4 <= e_1.radius);
+    float sine_4 = min((e_1.radius / max(d_4, 1e-30)), 1.0);
+    float cosine_22 = (sqrt(power_1) / max(d_4, 1e-30));
+    return SphereView(toCenter_2, d_4, power_1, inside_6, pick(inside_6, 2.0, ((sine_4 * sine_4) / (1.0 + cosine_22))));
 }
 
 float conePdf(float width) {
@@ -2201,31 +3490,31 @@ float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_10) {
 }
 
 float areaPdf(float area, float height, float distance_) {
-    float pdf_1 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
-    return min(pdf_1, 1e30);
+    float pdf_2 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf_2, 1e30);
 }
 
 float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     float _e4 = areaPdf(area_1, q_3.height, distance_1);
-    float pdf_2 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
-    return pick(q_3.lit, pdf_2, 0.0);
+    float pdf_3 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
+    return pick(q_3.lit, pdf_3, 0.0);
 }
 
-float arctangent(float x_13) {
-    float a_8 = abs(x_13);
-    bool steep = (a_8 > 2.4142137);
-    bool middle_1 = pick((a_8 > 0.41421357), !(steep), false);
-    float r_4 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_1, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
-    float base_1 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z_3 = (r_4 * r_4);
+float arctangent(float x_14) {
+    float a_10 = abs(x_14);
+    bool steep = (a_10 > 2.4142137);
+    bool middle_1 = pick((a_10 > 0.41421357), !(steep), false);
+    float r_5 = pick(steep, (-1.0 / max(a_10, 1.0)), pick(middle_1, ((a_10 - 1.0) / (a_10 + 1.0)), a_10));
+    float base_3 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
+    float z_3 = (r_5 * r_5);
     float series = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_13) * (base_1 + (((series * z_3) * r_4) + r_4)));
+    return (sign(x_14) * (base_3 + (((series * z_3) * r_5) + r_5)));
 }
 
-float stretch(float x_14, vec2 y_5, float h_1) {
-    vec2 r_5 = sqrt(((vec2((x_14 * x_14)) + (y_5 * y_5)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_14 * y_5.y) / (h_1 * r_5.y)));
-    float _e22 = arctangent(((x_14 * y_5.x) / (h_1 * r_5.x)));
+float stretch(float x_15, vec2 y_5, float h_5) {
+    vec2 r_6 = sqrt(((vec2((x_15 * x_15)) + (y_5 * y_5)) + vec2((h_5 * h_5))));
+    float _e16 = arctangent(((x_15 * y_5.y) / (h_5 * r_6.y)));
+    float _e22 = arctangent(((x_15 * y_5.x) / (h_5 * r_6.x)));
     return (_e16 - _e22);
 }
 
@@ -2234,20 +3523,20 @@ QuadView viewQuad(Emitter e_3, vec3 point_2) {
     vec2 lengths = vec2(length(e_3.u), length(e_3.v));
     vec3 axisX = (e_3.u / vec3(lengths.x));
     vec3 axisY = (e_3.v / vec3(lengths.y));
-    vec3 normal_17 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_17);
-    float least_1 = (1e-7 * (lengths.x + lengths.y));
-    float height_1 = max(abs(signedHeight), least_1);
-    bool lit = pick((abs(signedHeight) > least_1), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_1 = (low_2 + lengths);
-    vec2 y_10 = vec2(low_2.y, high_1.y);
-    float _e44 = stretch(low_2.x, y_10, height_1);
-    float _e46 = stretch(high_1.x, y_10, height_1);
+    vec3 normal_18 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_18);
+    float least_2 = (1e-7 * (lengths.x + lengths.y));
+    float height_2 = max(abs(signedHeight), least_2);
+    bool lit_1 = pick((abs(signedHeight) > least_2), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec2 low_3 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_2 = (low_3 + lengths);
+    vec2 y_10 = vec2(low_3.y, high_2.y);
+    float _e44 = stretch(low_3.x, y_10, height_2);
+    float _e46 = stretch(high_2.x, y_10, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_17 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    vec3 axisZ = (normal_18 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_3, high_2, height_2, _e44, solidAngle, lit_1, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 float quadPdf(Emitter e_4, vec3 point_3, float distance_2) {
@@ -2261,8 +3550,8 @@ BoxView viewBox(Emitter e_5, vec3 point_4) {
     vec4 rotation = _e4.a;
     vec3 _e8 = rotate(rotation, (point_4 - e_5.position));
     bvec3 seen = greaterThan(abs(_e8), e_5.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_5.u.yzx) * e_5.u.zxy), seen);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
+    vec3 faces_2 = mix(vec3(0.0), ((4.0 * e_5.u.yzx) * e_5.u.zxy), seen);
+    return BoxView(rotation, _e8, faces_2, ((faces_2.x + faces_2.y) + faces_2.z), !(any(seen)));
 }
 
 float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_11, float distance_3, vec3 normal_4) {
@@ -2319,14 +3608,14 @@ float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_13, float distance_5, v
     return _e32;
 }
 
-float cosineTowards(Emitter e_9, vec3 toLight_1, float grown, vec3 normal_7) {
-    float above_1 = clamp(((dot(normal_7, toLight_1) + e_9.reach) / grown), 0.0, 1.0);
+float cosineTowards(Emitter e_9, vec3 toLight_3, float grown, vec3 normal_7) {
+    float above_1 = clamp(((dot(normal_7, toLight_3) + e_9.reach) / grown), 0.0, 1.0);
     return pick((dot(normal_7, normal_7) == 0.0), 1.0, above_1);
 }
 
-float spotFalloff(Emitter e_10, vec3 toLight_2) {
-    float share_4 = clamp(((-(dot(toLight_2, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
-    return (share_4 * share_4);
+float spotFalloff(Emitter e_10, vec3 toLight_4) {
+    float share_5 = clamp(((-(dot(toLight_4, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+    return (share_5 * share_5);
 }
 
 float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_8) {
@@ -2336,27 +3625,27 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_8) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_11.kind == 5.0), false);
     vec3 middle_2 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_5 = pick(isFar, -(e_11.u), (middle_2 - point_7));
-    float distance2_ = dot(toLight_5, toLight_5);
+    vec3 toLight_6 = pick(isFar, -(e_11.u), (middle_2 - point_7));
+    float distance2_ = dot(toLight_6, toLight_6);
     float distance_6 = sqrt(distance2_);
     float grown_1 = max((distance_6 + e_11.reach), 1e-15);
-    float _e35 = cosineTowards(e_11, toLight_5, grown_1, normal_8);
+    float _e35 = cosineTowards(e_11, toLight_6, grown_1, normal_8);
     float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
     estimate = ((e_11.power * _e35) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e54 = hasQuadLights;
     if (_e54) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_5)) / max(e_11.area, 1e-30));
-        float side_7 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_11.reach) / grown_1), 0.0);
+        float height_3 = (-(dot(cross(e_11.u, e_11.v), toLight_6)) / max(e_11.area, 1e-30));
+        float side_10 = pick((e_11.oneSided == 1.0), max(height_3, 0.0), abs(height_3));
+        float lampCosine = pick((side_10 > 0.0), ((side_10 + e_11.reach) / grown_1), 0.0);
         float _e78 = estimate;
         estimate = (_e78 * pick(isQuad, lampCosine, 1.0));
     }
     const bool _e83 = hasMeshLamps;
     if (_e83) {
         float alike = length(e_11.v);
-        float across_5 = -(dot(e_11.v, toLight_5));
-        float side_8 = pick((e_11.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_11.reach)) / grown_1));
+        float across_7 = -(dot(e_11.v, toLight_6));
+        float side_11 = pick((e_11.oneSided == 1.0), max(across_7, 0.0), abs(across_7));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_11 + (alike * e_11.reach)) / grown_1));
         float sizeOfMesh = (distance2_ + ((e_11.area * (1.0 + (3.0 * alike))) / 12.566371));
         float _e114 = estimate;
         estimate = pick((e_11.kind == 7.0), (((e_11.power * _e35) * shown) / max(sizeOfMesh, 1e-15)), _e114);
@@ -2364,7 +3653,7 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_8) {
     const bool _e126 = hasPointLights;
     if (_e126) {
         float _e127 = estimate;
-        float _e132 = spotFalloff(e_11, (toLight_5 / vec3(max(distance_6, 1e-15))));
+        float _e132 = spotFalloff(e_11, (toLight_6 / vec3(max(distance_6, 1e-15))));
         estimate = (_e127 * pick((e_11.kind == 4.0), _e132, 1.0));
     }
     const bool _e140 = hasSky;
@@ -2377,44 +3666,44 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_8) {
 }
 
 float listedProbability(Emitter e_12, vec3 point_8, vec3 normal_9, Odds odds) {
-    float probability = 0.0;
+    float probability_1 = 0.0;
     uint _e6 = frame.emitterCount;
-    probability = float(min(_e6, 1u));
+    probability_1 = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
             float _e18 = estimatedIrradiance(e_12, point_8, normal_9);
-            probability = (_e18 / max(odds.total, 1e-37));
+            probability_1 = (_e18 / max(odds.total, 1e-37));
             const bool _e24 = hasLightTree;
             if (_e24) {
-                float _e25 = probability;
-                probability = (_e25 * (1.0 - odds.tree));
+                float _e25 = probability_1;
+                probability_1 = (_e25 * (1.0 - odds.tree));
             }
         }
     }
-    float _e30 = probability;
+    float _e30 = probability_1;
     return _e30;
 }
 
-LightNode fetchLightNode(uint i_20) {
-    vec4 _e2 = tableTexel(0u, i_20);
-    vec4 _e4 = tableTexel(1u, i_20);
-    vec4 _e6 = tableTexel(2u, i_20);
-    vec4 _e8 = tableTexel(3u, i_20);
-    vec4 _e10 = tableTexel(4u, i_20);
-    vec4 _e12 = tableTexel(5u, i_20);
-    vec4 _e14 = tableTexel(6u, i_20);
-    vec4 _e16 = tableTexel(7u, i_20);
-    vec4 _e18 = tableTexel(8u, i_20);
-    vec4 _e20 = tableTexel(9u, i_20);
-    vec4 _e22 = tableTexel(10u, i_20);
-    vec4 _e24 = tableTexel(11u, i_20);
+LightNode fetchLightNode(uint i_21) {
+    vec4 _e2 = tableTexel(0u, i_21);
+    vec4 _e4 = tableTexel(1u, i_21);
+    vec4 _e6 = tableTexel(2u, i_21);
+    vec4 _e8 = tableTexel(3u, i_21);
+    vec4 _e10 = tableTexel(4u, i_21);
+    vec4 _e12 = tableTexel(5u, i_21);
+    vec4 _e14 = tableTexel(6u, i_21);
+    vec4 _e16 = tableTexel(7u, i_21);
+    vec4 _e18 = tableTexel(8u, i_21);
+    vec4 _e20 = tableTexel(9u, i_21);
+    vec4 _e22 = tableTexel(10u, i_21);
+    vec4 _e24 = tableTexel(11u, i_21);
     return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
 }
 
-vec4 sineOf(vec4 cosine_2) {
-    return sqrt(max((vec4(1.0) - (cosine_2 * cosine_2)), vec4(0.0)));
+vec4 sineOf(vec4 cosine_19) {
+    return sqrt(max((vec4(1.0) - (cosine_19 * cosine_19)), vec4(0.0)));
 }
 
 vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
@@ -2422,45 +3711,45 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 }
 
 vec4 estimatesOfChildren(LightNode n_3, vec3 point_9, vec3 normal_10) {
-    vec4 x_22 = (n_3.x - vec4(point_9.x));
+    vec4 x_25 = (n_3.x - vec4(point_9.x));
     vec4 y_11 = (n_3.y - vec4(point_9.y));
     vec4 z_4 = (n_3.z - vec4(point_9.z));
-    vec4 distance2_1 = (((x_22 * x_22) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 distance2_1 = (((x_25 * x_25) + (y_11 * y_11)) + (z_4 * z_4));
     vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
+    bvec4 inside_7 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
-    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
-    vec4 along_2 = (-((((n_3.axisX * x_22) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
-    vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_7);
+    vec4 along_3 = (-((((n_3.axisX * x_25) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 cosW = clamp(mix(along_3, abs(along_3), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
     vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
-    vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_10.x * x_22) + (normal_10.y * y_11)) + (normal_10.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosOut = mix(_e64, vec4(1.0), inside_7);
+    vec4 cosN = clamp(((((normal_10.x * x_25) + (normal_10.y * y_11)) + (normal_10.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_7);
     vec4 cosIn = pick((dot(normal_10, normal_10) == 0.0), vec4(1.0), above_2);
     vec4 estimate_2 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_2, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
 }
 
 float shareOfTree(float total, float far) {
-    float share_5 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_5));
+    float share_6 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_6));
 }
 
-TreeChoice descend(vec3 point_10, vec3 normal_11, float u_5, int leaf, float far_1) {
+TreeChoice descend(vec3 point_10, vec3 normal_11, float u_12, int leaf, float far_1) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
     TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
     uint _e7 = frame.lightTreeDepth;
     level = _e7;
-    rest = u_5;
+    rest = u_12;
     while(true) {
         uint _e19 = level;
         level = (_e19 - 1u);
@@ -2487,13 +3776,13 @@ TreeChoice descend(vec3 point_10, vec3 normal_11, float u_5, int leaf, float far
         uint byChance = ((uint((at_2 >= _e27.x)) + uint((at_2 >= two))) + uint((at_2 >= three)));
         uint _e68 = level;
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
-        bool low_3 = (child < 2u);
+        bool low_4 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_9 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
-        float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float own_9 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before_1 = pick(low_4, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
         choice.probability = (_e95 * (own_9 / max(total_2, 1e-37)));
-        choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        choice.emitter = uint(pick(low_4, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
         rest = clamp(((at_2 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node_1;
         node_1 = (((4u * _e121) + 1u) + child);
@@ -2507,67 +3796,62 @@ TreeChoice descend(vec3 point_10, vec3 normal_11, float u_5, int leaf, float far
 }
 
 float treeProbability(Emitter e_13, vec3 point_11, vec3 normal_12, Odds odds_1) {
-    float probability_1 = 0.0;
+    float probability_2 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
         TreeChoice _e17 = descend(point_11, normal_12, 0.0, int(max(e_13.leaf, 0.0)), odds_1.total);
-        probability_1 = (_e17.probability * _e17.share);
+        probability_2 = (_e17.probability * _e17.share);
     }
-    float _e21 = probability_1;
+    float _e21 = probability_2;
     return _e21;
 }
 
-float misWeight(float own_1, float other) {
-    float ratio_7 = (other / own_1);
-    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
-}
-
-vec3 metLight(Path p_12, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
+vec3 metLight(Path p_14, PairHit hit_3, Surface s_21, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_21 = 0u;
-    float probability_2 = 0.0;
-    vec3 direction_21 = p_12.rays.direction;
-    bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
-    int _e18 = emitterOf(s_6.code);
-    found_8 = pick(hidden, vec3(0.0), s_6.emission);
+    uint i_22 = 0u;
+    float probability_3 = 0.0;
+    vec3 direction_21 = p_14.rays.direction;
+    bool hidden = pick(((uint(s_21.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
+    int _e18 = emitterOf(s_21.code);
+    found_8 = pick(hidden, vec3(0.0), s_21.emission);
     uint _e28 = frame.emitterCount;
     if (pick((_e18 >= 0), (_e28 > 0u), false)) {
-        i_21 = uint(max(_e18, 0));
+        i_22 = uint(max(_e18, 0));
         const bool _e37 = hasMeshLamps;
         if (_e37) {
-            if ((hit_1.triangle.instance != noInstance)) {
-                uint _e42 = i_21;
-                uint _e43 = i_21;
+            if ((hit_3.triangle.instance != noInstance)) {
+                uint _e42 = i_22;
+                uint _e43 = i_22;
                 Emitter _e44 = emitterAt(_e43, only_1);
-                uint _e46 = emitterOfTriangle(_e44, hit_1.triangle);
-                i_21 = (_e42 + _e46);
+                uint _e46 = emitterOfTriangle(_e44, hit_3.triangle);
+                i_22 = (_e42 + _e46);
             }
         }
-        uint _e48 = i_21;
+        uint _e48 = i_22;
         Emitter _e49 = emitterAt(_e48, only_1);
-        float _e55 = shapePdf(_e49, p_12.rays.point, direction_21, hit_1.t, outward, hit_1.triangle.triangle);
-        float _e60 = listedProbability(_e49, p_12.rays.point, p_12.litSide, p_12.odds);
-        probability_2 = _e60;
+        float _e55 = shapePdf(_e49, p_14.rays.point, direction_21, hit_3.t, outward, hit_3.triangle.triangle);
+        float _e60 = listedProbability(_e49, p_14.rays.point, p_14.litSide, p_14.odds);
+        probability_3 = _e60;
         const bool _e63 = hasLightTree;
         if (_e63) {
             if ((_e49.leaf >= 0.0)) {
-                float _e71 = treeProbability(_e49, p_12.rays.point, p_12.litSide, p_12.odds);
-                probability_2 = _e71;
+                float _e71 = treeProbability(_e49, p_14.rays.point, p_14.litSide, p_14.odds);
+                probability_3 = _e71;
             }
         }
         vec3 _e72 = found_8;
-        float _e74 = probability_2;
-        float _e76 = misWeight(p_12.pdf, (_e55 * _e74));
-        found_8 = (_e72 * pick((p_12.pdf <= 0.0), 1.0, _e76));
+        float _e74 = probability_3;
+        float _e76 = misWeight(p_14.pdf, (_e55 * _e74));
+        found_8 = (_e72 * pick((p_14.pdf <= 0.0), 1.0, _e76));
     }
     vec3 _e83 = found_8;
     return _e83;
 }
 
-uvec2 pascalW2_(uvec2 x_15) {
+uvec2 pascalW2_(uvec2 x_16) {
     uvec2 y_6 = uvec2(0u);
-    uvec2 _e7 = timesW2_(((x_15 >> uvec2(2u)) & uvec2(13107u)));
-    y_6 = (x_15 ^ _e7);
+    uvec2 _e7 = timesW2_(((x_16 >> uvec2(2u)) & uvec2(13107u)));
+    y_6 = (x_16 ^ _e7);
     uvec2 _e10 = y_6;
     uvec2 _e11 = y_6;
     uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
@@ -2586,25 +3870,25 @@ vec2 thirdOf(Groups g_3) {
     return _e12;
 }
 
-TwoPoints nextTwo3d(inout Sampler s_7) {
-    Sampler _e1 = s_7;
+TwoPoints nextTwo3d(inout Sampler s_22) {
+    Sampler _e1 = s_22;
     Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_7.key;
-    s_7.key = (_e5 + 2u);
+    uint _e5 = s_22.key;
+    s_22.key = (_e5 + 2u);
     vec2 _e8 = firstOf(_e2);
     vec2 _e9 = secondOf(_e2);
     vec2 _e10 = thirdOf(_e2);
     return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
 }
 
-EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_6) {
+EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_13) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
-    uint chosen = 0u;
+    uint chosen_1 = 0u;
     float chosenWeight = 0.0;
     float rest_1 = 0.0;
-    uint i_22 = 0u;
+    uint i_23 = 0u;
     const bool _e6 = hasLightTree;
     if (_e6) {
         uint _e9 = frame.lightTreeDepth;
@@ -2620,35 +3904,35 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_6) {
     if (_e33) {
         uint _e36 = frame.emitterCount;
         if ((_e36 > 1u)) {
-            rest_1 = u_6;
+            rest_1 = u_13;
             while(true) {
-                uint _e48 = i_22;
+                uint _e48 = i_23;
                 Emitter _e49 = fetchEmitter(_e48);
                 float _e50 = estimatedIrradiance(_e49, point_12, normal_13);
-                uint _e51 = i_22;
-                float weight_1 = pick((_e51 < listed), _e50, 0.0);
+                uint _e51 = i_23;
+                float weight_2 = pick((_e51 < listed), _e50, 0.0);
                 float _e55 = total_1;
-                total_1 = (_e55 + weight_1);
+                total_1 = (_e55 + weight_2);
                 float _e57 = total_1;
-                float share_6 = (weight_1 / max(_e57, 1e-37));
+                float share_7 = (weight_2 / max(_e57, 1e-37));
                 float _e61 = rest_1;
-                bool take = (_e61 < share_6);
-                uint _e63 = chosen;
-                uint _e64 = i_22;
-                chosen = pick(take, _e64, _e63);
+                bool take = (_e61 < share_7);
+                uint _e63 = chosen_1;
+                uint _e64 = i_23;
+                chosen_1 = pick(take, _e64, _e63);
                 float _e66 = chosenWeight;
-                chosenWeight = pick(take, weight_1, _e66);
+                chosenWeight = pick(take, weight_2, _e66);
                 float _e68 = rest_1;
                 float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_6, 1e-37)), ((_e68 - share_6) / max((1.0 - share_6), 1e-7)));
-                uint _e81 = i_22;
-                i_22 = (_e81 + 1u);
-                uint _e83 = i_22;
+                rest_1 = pick(take, (_e75 / max(share_7, 1e-37)), ((_e68 - share_7) / max((1.0 - share_7), 1e-7)));
+                uint _e81 = i_23;
+                i_23 = (_e81 + 1u);
+                uint _e83 = i_23;
                 if ((_e83 >= listed)) {
                     break;
                 }
             }
-            uint _e85 = chosen;
+            uint _e85 = chosen_1;
             float _e86 = chosenWeight;
             float _e87 = total_1;
             float _e91 = total_1;
@@ -2661,7 +3945,7 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_6) {
                     float _e100 = total_1;
                     TreeChoice _e101 = descend(point_12, normal_13, _e98, -1, _e100);
                     choice_1.odds.tree = _e101.share;
-                    uint _e106 = chosen;
+                    uint _e106 = chosen_1;
                     choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
                     float _e112 = choice_1.probability;
                     choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
@@ -2673,156 +3957,156 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_6) {
     return _e122;
 }
 
-vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_27 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_9 = (-1.0 / (s_27 + axis_1.z));
-    float b_12 = ((axis_1.x * axis_1.y) * a_9);
-    vec3 x_23 = vec3((1.0 + (((s_27 * axis_1.x) * axis_1.x) * a_9)), (s_27 * b_12), (-(s_27) * axis_1.x));
-    vec3 y_12 = vec3(b_12, (s_27 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
-    return (((v_6.x * x_23) + (v_6.y * y_12)) + (v_6.z * axis_1));
+vec3 turnTo(vec3 axis_1, vec3 v_10) {
+    float s_29 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_11 = (-1.0 / (s_29 + axis_1.z));
+    float b_14 = ((axis_1.x * axis_1.y) * a_11);
+    vec3 x_26 = vec3((1.0 + (((s_29 * axis_1.x) * axis_1.x) * a_11)), (s_29 * b_14), (-(s_29) * axis_1.x));
+    vec3 y_12 = vec3(b_14, (s_29 + ((axis_1.y * axis_1.y) * a_11)), -(axis_1.y));
+    return (((v_10.x * x_26) + (v_10.y * y_12)) + (v_10.z * axis_1));
 }
 
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
-    float oneMinusCosine = (u_7.x * width_1);
-    float cosine_21 = (1.0 - oneMinusCosine);
-    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_2 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_7.y);
-    vec2 turn_1 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_2 / length(turn_1)) * turn_1), cosine_21));
-    return ConeDirection(_e23, cosine_21, sine2_);
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_14) {
+    float oneMinusCosine = (u_14.x * width_1);
+    float cosine_23 = (1.0 - oneMinusCosine);
+    float sine2_4 = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_5 = sqrt(max(sine2_4, 0.0));
+    float phi_4 = (6.2831855 * u_14.y);
+    vec2 turn_1 = vec2(cos(phi_4), sin(phi_4));
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_5 / length(turn_1)) * turn_1), cosine_23));
+    return ConeDirection(_e23, cosine_23, sine2_4);
 }
 
-LightSample sampleSphere(Emitter e_14, vec3 point_13, vec2 u_8) {
+LightSample sampleSphere(Emitter e_14, vec3 point_13, vec2 u_15) {
     SphereView _e3 = viewSphere(e_14, point_13);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
-    float along_3 = (_e3.distance_ * _e19.cosine);
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_15);
+    float along_4 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_14.radius * e_14.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_3) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
-    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float larger_1 = (abs(along_4) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_4 > 0.0), false);
+    float distance_7 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
     return LightSample(_e19.direction, distance_7, e_14.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_16) {
-    float h_6 = (0.5 * x_16);
-    float z_5 = (h_6 * h_6);
-    float sine_3 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_6) + h_6);
-    return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
+vec2 cosineAndSine(float x_17) {
+    float h_10 = (0.5 * x_17);
+    float z_5 = (h_10 * h_10);
+    float sine_6 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_10) + h_10);
+    return vec2((1.0 - ((2.0 * sine_6) * sine_6)), ((2.0 * sine_6) * sqrt((1.0 - (sine_6 * sine_6)))));
 }
 
-vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
-    float h_7 = q_4.height;
+vec3 sphericalRectangle(QuadView q_4, vec2 u_16) {
+    float h_11 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_28 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
-    vec2 across_6 = (vec2((s_28.y - s_28.x), (s_28.y + s_28.x)) * _e21);
-    float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_24 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_24 * x_24) + (h_7 * h_7));
+    vec2 s_30 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_11 * h_11)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_16.x * q_4.solidAngle))));
+    vec2 across_8 = (vec2((s_30.y - s_30.x), (s_30.y + s_30.x)) * _e21);
+    float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_8), 1e-15));
+    float x_27 = clamp(((h_11 * w_8) * inversesqrt(max((1.0 - (w_8 * w_8)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_27 * x_27) + (h_11 * h_11));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
-    float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
-    return (((x_24 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
+    float v_13 = mix(ends_2.x, ends_2.y, u_16.y);
+    float atY = clamp(((v_13 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_13 * v_13)), 1e-12))), y_13.x, y_13.y);
+    return (((x_27 * q_4.axisX) + (atY * q_4.axisY)) + (h_11 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_15, vec3 point_14, vec2 u_10) {
+LightSample sampleQuad(Emitter e_15, vec3 point_14, vec2 u_17) {
     QuadView _e3 = viewQuad(e_15, point_14);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_15.u)) + (u_10.y * e_15.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_10);
-    vec3 toLight_6 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_6), _e3.height);
+    vec3 onArea = ((_e3.corner + (u_17.x * e_15.u)) + (u_17.y * e_15.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_17);
+    vec3 toLight_7 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_7), _e3.height);
     float _e23 = pdfOfView(_e3, e_15.area, distance_8);
-    return LightSample((toLight_6 / vec3(distance_8)), distance_8, e_15.radiance, _e23, false);
+    return LightSample((toLight_7 / vec3(distance_8)), distance_8, e_15.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_16, BoxView b_4, vec2 u_11) {
-    float both = (b_4.faces.x + b_4.faces.y);
-    float at_3 = (u_11.x * b_4.area);
-    bool onX_1 = (at_3 < b_4.faces.x);
+vec4 pointOnFaces(Emitter e_16, BoxView b_6, vec2 u_18) {
+    float both = (b_6.faces.x + b_6.faces.y);
+    float at_3 = (u_18.x * b_6.area);
+    bool onX_1 = (at_3 < b_6.faces.x);
     bool onY_1 = pick(!(onX_1), (at_3 < both), false);
-    float face = pick(onX_1, b_4.faces.x, pick(onY_1, b_4.faces.y, b_4.faces.z));
-    float within_1 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float face = pick(onX_1, b_6.faces.x, pick(onY_1, b_6.faces.y, b_6.faces.z));
+    float within_2 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_6.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_24 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_7 = ((pick(onX_1, p_24.xyz, pick(onY_1, p_24.zxy, p_24.yzx)) * e_16.u) - b_4.point);
-    return vec4(toLight_7, abs(dot(axis_5, toLight_7)));
+    vec3 p_27 = vec3(pick((dot(axis_5, b_6.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_18.y) - 1.0));
+    vec3 toLight_8 = ((pick(onX_1, p_27.xyz, pick(onY_1, p_27.zxy, p_27.yzx)) * e_16.u) - b_6.point);
+    return vec4(toLight_8, abs(dot(axis_5, toLight_8)));
 }
 
-vec3 rotateBack(vec4 q_5, vec3 v_7) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_7);
+vec3 rotateBack(vec4 q_5, vec3 v_11) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_11);
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_17, vec3 point_15, vec2 u_12) {
+LightSample sampleBox(Emitter e_17, vec3 point_15, vec2 u_19) {
     BoxView _e3 = viewBox(e_17, point_15);
-    vec4 _e4 = pointOnFaces(e_17, _e3, u_12);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
+    vec4 _e4 = pointOnFaces(e_17, _e3, u_19);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
     vec3 outwards_1 = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_17.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
     vec3 direction_22 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
-    float pdf_3 = pick(_e3.inside, _e33, _e31);
+    float pdf_4 = pick(_e3.inside, _e33, _e31);
     vec3 _e37 = rotateBack(_e3.rotation, direction_22);
-    return LightSample(_e37, distance_9, e_17.radiance, pdf_3, false);
+    return LightSample(_e37, distance_9, e_17.radiance, pdf_4, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_18, vec2 u_13) {
+ChosenTriangle chooseTriangle(Emitter e_18, vec2 u_20) {
     uint _e4 = frame.lampTables;
-    uint first_2 = (_e4 + uint(e_18.table));
-    uint column_2 = min(uint((u_13.x * e_18.triangles)), (uint(e_18.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
-    uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
+    uint first_3 = (_e4 + uint(e_18.table));
+    uint column_2 = min(uint((u_20.x * e_18.triangles)), (uint(e_18.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_3 + column_2));
+    uint _e26 = mixBits((floatBitsToUint(u_20.x) ^ (floatBitsToUint(u_20.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_18.triangles);
-    float x_25 = clamp((((u_13.x * e_18.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_10 = (x_25 < _e18.own);
-    float rest_2 = pick(own_10, (x_25 / max(_e18.own, 1e-37)), ((x_25 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    float x_28 = clamp((((u_20.x * e_18.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_10 = (x_28 < _e18.own);
+    float rest_2 = pick(own_10, (x_28 / max(_e18.own, 1e-37)), ((x_28 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_10, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
-    float density = _e67.density;
-    return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
+    LampTriangle _e67 = fetchLampTriangle((((first_3 + column_2) + place_8) - _e18.place));
+    float density_2 = _e67.density;
+    return ChosenTriangle(place_8, density_2, vec2(min(rest_2, 1.0), u_20.y));
 }
 
-vec2 weightsOnTriangle(vec2 u_14) {
-    float low_4 = (0.5 * min(u_14.x, u_14.y));
-    float high_2 = (max(u_14.x, u_14.y) - low_4);
-    return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
+vec2 weightsOnTriangle(vec2 u_21) {
+    float low_5 = (0.5 * min(u_21.x, u_21.y));
+    float high_3 = (max(u_21.x, u_21.y) - low_5);
+    return pick((u_21.x < u_21.y), vec2(low_5, high_3), vec2(high_3, low_5));
 }
 
-vec3 outOfMesh(Instance i_23, vec3 p_13) {
-    vec3 q_7 = (p_13 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
-    vec3 x_26 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
-    vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
-    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_26) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_26)));
+vec3 outOfMesh(Instance i_24, vec3 p_15) {
+    vec3 q_7 = (p_15 - vec3(i_24.toMeshX.w, i_24.toMeshY.w, i_24.toMeshZ.w));
+    vec3 x_29 = cross(i_24.toMeshY.xyz, i_24.toMeshZ.xyz);
+    vec3 y_14 = cross(i_24.toMeshZ.xyz, i_24.toMeshX.xyz);
+    vec3 z_6 = cross(i_24.toMeshX.xyz, i_24.toMeshY.xyz);
+    return ((((q_7.x * x_29) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_24.toMeshX.xyz, x_29)));
 }
 
-vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
+vec3 radianceShare(uint row_9, Cover0_ c_2, bool missing) {
     vec3 share = vec3(1.0);
     float opacity_1 = 0.0;
-    uint i_24 = 0u;
+    uint i_25 = 0u;
     MaterialTextures _e3 = fetchMaterialTextures(row_9);
     bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
     uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
     opacity_1 = (_e3.opacity * c_2.opacity);
     if ((wanted > 0u)) {
         while(true) {
-            uint _e27 = i_24;
+            uint _e27 = i_25;
             TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
             vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
             vec3 _e43 = share;
             share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
             float _e52 = opacity_1;
-            uint _e54 = i_24;
+            uint _e54 = i_25;
             opacity_1 = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
-            uint _e62 = i_24;
-            i_24 = (_e62 + 1u);
-            uint _e64 = i_24;
+            uint _e62 = i_25;
+            i_25 = (_e62 + 1u);
+            uint _e64 = i_25;
             if ((_e64 >= wanted)) {
                 break;
             }
@@ -2835,28 +4119,28 @@ vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
     return (_e77 * pick(missing, there, 1.0));
 }
 
-LightSample sampleMesh(Emitter e_19, vec3 point_16, vec2 u_15) {
+LightSample sampleMesh(Emitter e_19, vec3 point_16, vec2 u_22) {
     vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_19, u_15);
+    ChosenTriangle _e3 = chooseTriangle(e_19, u_22);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_19.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_8 = (_e34 - point_16);
-    vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_7, toLight_8) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
-    float distance_10 = length(toLight_8);
-    float _e60 = areaPdf(e_19.area, abs(height_3), distance_10);
-    float pdf_4 = (_e60 * _e3.density);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_19.oneSided == 0.0), (height_3 > 0.0), false));
+    vec3 toLight_9 = (_e34 - point_16);
+    vec3 across_9 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_4 = (dot(across_9, toLight_9) * inversesqrt(max(dot(across_9, across_9), 1e-37)));
+    float distance_10 = length(toLight_9);
+    float _e60 = areaPdf(e_19.area, abs(height_4), distance_10);
+    float pdf_5 = (_e60 * _e3.density);
+    bool lit_2 = pick((height_4 < 0.0), true, pick((e_19.oneSided == 0.0), (height_4 > 0.0), false));
     float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
     radiance = e_19.radiance;
     const bool _e82 = hasVariedLamps;
     if (_e82) {
         if ((e_19.u.y > 0.0)) {
             uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
-            Cover _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
+            Cover0_ _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
             vec3 _e98 = radiance;
             Surface _e101 = fetchSurface(uint(e_19.shape));
             vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
@@ -2864,33 +4148,33 @@ LightSample sampleMesh(Emitter e_19, vec3 point_16, vec2 u_15) {
         }
     }
     vec3 _e115 = radiance;
-    return LightSample((toLight_8 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_4, 0.0), false);
+    return LightSample((toLight_9 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_2, pdf_5, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_20, vec3 point_17) {
-    vec3 toLight_9 = (e_20.position - point_17);
-    float distance_11 = length(toLight_9);
+    vec3 toLight_10 = (e_20.position - point_17);
+    float distance_11 = length(toLight_10);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_9 / vec3(safe)), distance_11, (e_20.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_10 / vec3(safe)), distance_11, (e_20.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_21, vec3 point_18) {
-    LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample s_23 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
     LightSample _e2 = samplePoint(e_21, point_18);
-    s_8 = _e2;
-    vec3 _e5 = s_8.direction;
+    s_23 = _e2;
+    vec3 _e5 = s_23.direction;
     float _e6 = spotFalloff(e_21, _e5);
-    vec3 _e8 = s_8.radiance;
-    s_8.radiance = (_e8 * _e6);
-    float _e12 = s_8.pdf;
-    s_8.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_8;
+    vec3 _e8 = s_23.radiance;
+    s_23.radiance = (_e8 * _e6);
+    float _e12 = s_23.pdf;
+    s_23.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_23;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_22, vec2 u_16) {
+LightSample sampleDirectional(Emitter e_22, vec2 u_23) {
     bool delta = (e_22.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_16);
+    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_23);
     return LightSample(_e10.direction, 1e30, e_22.radiance, pick(delta, 1.0, (1.0 / max(e_22.area, 1e-31))), delta);
 }
 
@@ -2899,18 +4183,18 @@ vec4 environmentTexel(uint column_1, uint row_10) {
     return _e5;
 }
 
-vec4 fetchEntries(Table t_5, uint pair) {
+vec4 fetchEntries(Table t_5, uint pair_2) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_27 = (t_5.first + pair);
+    uint i_27 = (t_5.first + pair_2);
     uint row_14 = (i_27 / width_2);
     vec4 _e12 = environmentTexel((i_27 - (row_14 * width_2)), row_14);
     return _e12;
 }
 
-vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
-    uvec2 further = (uvec2(pair_1.yw) & uvec2(4095u));
-    return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
+vec2 sharesBeyond(vec4 pair_3, uint digits, uint fine) {
+    uvec2 further = (uvec2(pair_3.yw) & uvec2(4095u));
+    return ((pair_3.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
 Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
@@ -2929,16 +4213,16 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
         uint _e47 = low;
         uint _e48 = high;
         uint _e52 = high;
-        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_6, next);
+        uint next_1 = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_6, next_1);
         vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
         bool found_10 = (_e56.y > 0.0);
         vec2 _e60 = ends;
         ends = pick(found_10, _e56, _e60);
         uint _e62 = high;
-        high = pick(found_10, next, _e62);
+        high = pick(found_10, next_1, _e62);
         uint _e66 = low;
-        low = pick(found_10, _e66, (next + 1u));
+        low = pick(found_10, _e66, (next_1 + 1u));
         uint _e69 = step_;
         step_ = ((2u * _e69) + 1u);
         uint _e73 = low;
@@ -2963,10 +4247,10 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
     return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
 }
 
-ChosenCell chooseCell(vec2 u_17) {
+ChosenCell chooseCell(vec2 u_24) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_6 = uvec2(_e3);
-    uvec2 digits_4 = uvec2((u_17 * 16777216.0));
+    uvec2 digits_4 = uvec2((u_24 * 16777216.0));
     uint _e13 = mixBits((digits_4.x ^ (digits_4.y * 2654435761u)));
     uint columns = ((size_6.x + 1u) / 2u);
     uint tables = (size_6.x * size_6.y);
@@ -2978,32 +4262,32 @@ ChosenCell chooseCell(vec2 u_17) {
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_7 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_7.x, cell.x) - 1u);
+    uint left_2 = (pick((cell.x == 0u), size_7.x, cell.x) - 1u);
     uint right = pick((cell.x == size_7.x), 0u, cell.x);
     uint upper_1 = (max(cell.y, 1u) - 1u);
     uint lower_1 = min(cell.y, (size_7.y - 1u));
     vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
-    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 below_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
+    vec4 _e49 = environmentTexel(left_2, upper_1);
     vec4 _e51 = environmentTexel(right, upper_1);
-    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e53 = environmentTexel(left_2, lower_1);
     vec4 _e55 = environmentTexel(right, lower_1);
-    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_3 * _e53), (below_3 * _e55));
 }
 
-float linearSample(float u_18, float a_3, float b_5) {
-    vec2 ends_3 = (vec2(a_3, b_5) / vec2(max((a_3 + b_5), 1e-37)));
-    return min((u_18 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_18))), 1e-9)), 1.0);
+float linearSample(float u_25, float a_4, float b_7) {
+    vec2 ends_3 = (vec2(a_4, b_7) / vec2(max((a_4 + b_7), 1e-37)));
+    return min((u_25 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_25))), 1e-9)), 1.0);
 }
 
-EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
-    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+EnvironmentLight lightWithin(Corners k_2, vec2 at, float sine) {
+    vec4 light_2 = mix(mix(k_2.a, k_2.b, at.x), mix(k_2.c, k_2.d, at.x), at.y);
+    return EnvironmentLight(light_2.xyz, (max(light_2.w, 0.0) / sine));
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_19) {
+EnvironmentSample sampleEnvironment(vec2 u_26) {
     vec2 size_8 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_19);
+    ChosenCell _e4 = chooseCell(u_26);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_1 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_8.y));
@@ -3018,10 +4302,10 @@ EnvironmentSample sampleEnvironment(vec2 u_19) {
     float nearest_2 = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest_2)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
-    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
-    float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_23 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_4);
+    vec2 phi_5 = (_e100 * pick(back, -1.0, 1.0));
+    float sine_7 = max(_e76.y, 1e-9);
+    vec3 direction_23 = vec3((sine_7 * phi_5.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_7) * phi_5.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_7);
     return EnvironmentSample(direction_23, _e119);
 }
 
@@ -3031,1385 +4315,137 @@ vec3 sky(vec3 direction_14) {
     return mix(_e3, _e6, max(direction_14.y, 0.0));
 }
 
-LightSample sampleSky(vec2 u_20) {
-    EnvironmentSample s_9 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
-    s_9 = EnvironmentSample(_e6.direction, white);
+LightSample sampleSky(vec2 u_27) {
+    EnvironmentSample s_24 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_27);
+    s_24 = EnvironmentSample(_e6.direction, white0_);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_20);
-        s_9 = _e13;
+        EnvironmentSample _e13 = sampleEnvironment(u_27);
+        s_24 = _e13;
     }
-    vec3 _e15 = s_9.direction;
-    vec3 _e18 = s_9.light.radiance;
-    vec3 _e20 = s_9.direction;
+    vec3 _e15 = s_24.direction;
+    vec3 _e18 = s_24.light.radiance;
+    vec3 _e20 = s_24.direction;
     vec3 _e21 = sky(_e20);
-    float _e25 = s_9.light.pdf;
+    float _e25 = s_24.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_23, vec3 point_19, vec2 u_21) {
-    LightSample s_10 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+LightSample sampleEmitter(Emitter e_23, vec3 point_19, vec2 u_28) {
+    LightSample s_25 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_23.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_23, point_19, u_21);
-            s_10 = _e19;
+            LightSample _e19 = sampleSphere(e_23, point_19, u_28);
+            s_25 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_23.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_23, point_19, u_21);
-            s_10 = _e25;
+            LightSample _e25 = sampleQuad(e_23, point_19, u_28);
+            s_25 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_23.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_23, point_19, u_21);
-            s_10 = _e31;
+            LightSample _e31 = sampleBox(e_23, point_19, u_28);
+            s_25 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
         if ((e_23.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_23, point_19, u_21);
-            s_10 = _e37;
+            LightSample _e37 = sampleMesh(e_23, point_19, u_28);
+            s_25 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
         if ((e_23.kind == 3.0)) {
             LightSample _e43 = samplePoint(e_23, point_19);
-            s_10 = _e43;
+            s_25 = _e43;
         }
     }
     const bool _e45 = hasPointLights;
     if (_e45) {
         if ((e_23.kind == 4.0)) {
             LightSample _e49 = sampleSpot(e_23, point_19);
-            s_10 = _e49;
+            s_25 = _e49;
         }
     }
     const bool _e51 = hasSuns;
     if (_e51) {
         if ((e_23.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_23, u_21);
-            s_10 = _e55;
+            LightSample _e55 = sampleDirectional(e_23, u_28);
+            s_25 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
         if ((e_23.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_21);
-            s_10 = _e61;
+            LightSample _e61 = sampleSky(u_28);
+            s_25 = _e61;
         }
     }
-    float _e64 = s_10.pdf;
-    float _e66 = s_10.distance_;
-    s_10.pdf = pick((_e66 <= (1e-5 * length(point_19))), 0.0, _e64);
-    LightSample _e73 = s_10;
+    float _e64 = s_25.pdf;
+    float _e66 = s_25.distance_;
+    s_25.pdf = pick((_e66 <= (1e-5 * length(point_19))), 0.0, _e64);
+    LightSample _e73 = s_25;
     return _e73;
 }
 
-vec3 heroColor(vec3 throughput, float u_22) {
-    vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_22 < share_7.x);
-    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
-    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
+Lit lightAt(inout Path p_16, PairHit hit_4, Meeting m_2) {
+    Emitter _e4 = fetchEmitter(0u);
+    Path _e5 = p_16;
+    vec3 _e8 = metLight(_e5, hit_4, m_2.surface, m_2.geometric, _e4);
+    vec3 _e10 = p_16.radiance;
+    vec3 _e12 = p_16.throughput;
+    p_16.radiance = (_e10 + (_e12 * pick((hit_4.shape == noShape), vec3(0.0), _e8)));
+    TwoPoints _e22 = nextTwo3d(p_16.sampler_);
+    vec3 _e24 = litSideOf(m_2);
+    EmitterChoice _e27 = chooseEmitter(m_2.point, _e24, _e22.first.z);
+    Emitter _e29 = emitterAt(_e27.index, _e4);
+    LightSample _e33 = sampleEmitter(_e29, m_2.point, _e22.first.xy);
+    return Lit(_e33, (_e33.pdf * _e27.probability), _e29.shape, _e27.odds, _e22.second);
 }
 
-float nextHash(inout Sampler s_11) {
-    uint _e3 = s_11.key;
-    s_11.key = (_e3 + 1u);
-    uint _e7 = s_11.key;
-    uint _e9 = s_11.salt;
-    uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_11.sample_;
-    uint _e17 = s_11.place;
-    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
-    float _e21 = unitFloat(_e20);
-    return _e21;
-}
-
-bool isConductor(uint code_10) {
-    const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_10);
-    return pick(_e2, (_e3 == conductor), false);
-}
-
-vec2 ellipticAlpha(float alpha, float strength) {
-    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
-}
-
-float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_9 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
-}
-
-float greatest(vec3 v_8) {
-    return max(max(v_8.x, v_8.y), v_8.z);
-}
-
-float sheenAlbedo(float cosine_3, float roughness) {
-    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_13 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_5 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_13 * v_13);
-    float root_1 = dot((low_5 + ((v2_ * v_13) * high_3)), vec3(1.0, v_13, v2_));
-    float albedo = (root_1 * root_1);
-    return (albedo + (0.005 * max(albedo, 1.0)));
-}
-
-vec3 dielectricF0_() {
-    float _e2 = layersHere.ior;
-    float _e7 = layersHere.ior;
-    float contrast = ((_e2 - 1.0) / (_e7 + 1.0));
-    vec3 _e14 = layersHere.specularColor;
-    return min(((contrast * contrast) * _e14), vec3(1.0));
-}
-
-float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_27 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_27 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_27 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_27 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_27 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
-    float a2_ = (alpha_1 * alpha_1);
-    return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
-}
-
-float cosineInAir(float cosine_5, float ratio) {
-    float sine2_1 = ((1.0 - (cosine_5 * cosine_5)) / (ratio * ratio));
-    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_5);
-}
-
-float outerCosine(float cosine_6) {
-    float outer = 0.0;
-    outer = cosine_6;
-    const bool _e3 = hasTransmission;
-    if (_e3) {
-        float _e6 = stackHere.ratio;
-        float _e7 = cosineInAir(cosine_6, _e6);
-        outer = _e7;
-    }
-    float _e8 = outer;
-    return _e8;
-}
-
-bool reflectsAll(float cosine_7, float ratio_1) {
-    return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
-}
-
-Reflectance bareReflectance(Surface s_12, float cosine_8) {
-    vec3 dielectric = vec3(0.0);
-    float _e2 = outerCosine(cosine_8);
-    float _e5 = layersHere.specularWeight;
-    vec3 _e6 = dielectricF0_();
-    vec3 _e7 = schlick(_e6, _e2);
-    dielectric = (_e5 * _e7);
-    const bool _e11 = hasTransmission;
-    if (_e11) {
-        vec3 _e12 = dielectric;
-        float _e17 = stackHere.ratio;
-        bool _e18 = reflectsAll(cosine_8, _e17);
-        dielectric = pick(_e18, vec3(1.0), _e12);
-    }
-    vec3 _e20 = dielectric;
-    vec3 _e22 = schlick(s_12.baseColor, _e2);
-    return Reflectance(_e20, _e22);
-}
-
-float mean3_(vec3 v_9) {
-    return dot(v_9, vec3(0.33333334));
-}
-
-void meetLayers(Surface s_13, vec3 given, vec3 hero_1) {
-    float side_10 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_10));
-    float metallic_3 = s_13.metallic;
-    stackHere.wo = wo_8;
-    stackHere.side = side_10;
-    stackHere.hero = hero_1;
-    stackHere.inside = false;
-    stackHere.ratio = 1.0;
-    float _e31 = layersHere.anisotropy;
-    vec2 _e32 = ellipticAlpha(s_13.alpha, _e31);
-    stackHere.alpha = _e32;
-    const bool _e34 = hasTransmission;
-    if (_e34) {
-        float _e37 = layersHere.solid;
-        bool isSolid = (_e37 > 0.0);
-        bool inside_4 = pick(isSolid, (side_10 < 0.0), false);
-        float _e45 = layersHere.ior;
-        float _e48 = layersHere.dispersion;
-        float _e49 = dispersedIndex(_e45, _e48, hero_1);
-        float _e52 = layersHere.transmission;
-        bool flat_ = pick(pick(isSolid, (_e52 > 0.0), false), ((_e49 - 1.0) < 0.001), false);
-        stackHere.inside = inside_4;
-        stackHere.ratio = pick(isSolid, pick(inside_4, (1.0 / _e49), _e49), 1.0);
-        vec2 _e74 = stackHere.alpha;
-        stackHere.alpha = pick(flat_, vec2(0.0), _e74);
-    }
-    stackHere.coat = 0.0;
-    const bool _e82 = hasCoats;
-    if (_e82) {
-        float _e87 = layersHere.coat;
-        float _e88 = coatCosine(side_10, wo_8);
-        float _e89 = coatReflectance(_e87, _e88);
-        bool _e92 = stackHere.inside;
-        stackHere.coat = pick(_e92, 0.0, _e89);
-        float _e99 = layersHere.coatRoughness;
-        float _e102 = layersHere.coatRoughness;
-        stackHere.coatAlpha = (_e99 * _e102);
-    }
-    stackHere.sheenColor = 0.0;
-    stackHere.sheen = 0.0;
-    const bool _e111 = hasSheen;
-    if (_e111) {
-        vec3 _e116 = layersHere.sheenColor;
-        float _e117 = greatest(_e116);
-        stackHere.sheenColor = _e117;
-        float _e120 = stackHere.sheenColor;
-        if ((_e120 > 0.0)) {
-            float _e128 = layersHere.sheenRoughness;
-            float _e129 = sheenAlbedo(wo_8.z, _e128);
-            bool _e132 = stackHere.inside;
-            stackHere.sheen = pick(_e132, 0.0, _e129);
-        }
-    }
-    float _e137 = layersHere.specularWeight;
-    vec3 _e138 = dielectricF0_();
-    vec3 f0_3 = (_e137 * _e138);
-    stackHere.more = vec3(1.0);
-    const bool _e145 = hasCompensation;
-    if (_e145) {
-        float _e150 = stackHere.alpha.x;
-        float _e154 = stackHere.alpha.y;
-        float _e157 = singleScatteringAlbedo(wo_8.z, sqrt((_e150 * _e154)));
-        float _e166 = layersHere.transmission;
-        bool asked = pick(((uint(s_13.code) & 8u) != 0u), (_e166 <= 0.0), false);
-        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_13.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
-    }
-    Reflectance _e185 = bareReflectance(s_13, wo_8.z);
-    vec3 met_1 = mix(_e185.dielectric, _e185.metal, metallic_3);
-    float _e192 = greatest(_e185.dielectric);
-    float enters = ((1.0 - metallic_3) * (1.0 - _e192));
-    float _e197 = mean3_(s_13.baseColor);
-    float coat_1 = stackHere.coat;
-    float _e205 = stackHere.sheenColor;
-    float _e208 = stackHere.sheen;
-    float below_2 = ((1.0 - coat_1) * (1.0 - (_e205 * min(_e208, 1.0))));
-    float _e215 = mean3_(met_1);
-    float _e218 = layersHere.film;
-    float _e224 = layersHere.transmission;
-    float facets = (below_2 * ((_e215 + (0.25 * _e218)) + ((enters * _e224) * _e197)));
-    float _e233 = stackHere.sheen;
-    vec3 _e237 = layersHere.sheenColor;
-    float _e238 = mean3_(_e237);
-    float fibres = (((1.0 - coat_1) * _e233) * _e238);
-    float _e243 = greatest(f0_3);
-    float _e249 = layersHere.transmission;
-    float body = (((below_2 * (1.0 - metallic_3)) * (1.0 - _e243)) * (1.0 - _e249));
-    float _e255 = layersHere.beyond;
-    float diffuse = ((body * (1.0 - _e255)) * _e197);
-    float _e262 = layersHere.beyond;
-    vec3 _e266 = layersHere.beyondColor;
-    float _e267 = mean3_(_e266);
-    float beyond = ((body * _e262) * _e267);
-    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    stackHere.ofCoat = (coat_1 / all_);
-    stackHere.ofFacets = (facets / all_);
-    stackHere.ofSheen = (fibres / all_);
-    stackHere.ofDiffuse = (diffuse / all_);
-    return;
-}
-
-vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
-    return mix(vec3(0.04), baseColor, metallic);
-}
-
-vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_9) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_9);
-    return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
-}
-
-float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
-    vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
-    vec3 _e4 = schlick(_e3, cosine_10);
-    float specular = dot(_e4, vec3(1.0));
-    vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
-    float diffuse_1 = dot(_e9, vec3(1.0));
-    return (specular / max((specular + diffuse_1), 1e-20));
-}
-
-float indexRatio(float eta_2, float z_1, bool thin) {
-    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
-}
-
-float reflectionBound(vec3 wo, float alpha_2) {
-    float s_29 = (1.0 + length(wo.xy));
-    float s2_ = (s_29 * s_29);
-    float a2_1 = (alpha_2 * alpha_2);
-    return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
-}
-
-float stretched(vec3 w_3, float alpha_3) {
-    return sqrt(((w_3.z * w_3.z) + ((alpha_3 * alpha_3) * dot(w_3.xy, w_3.xy))));
-}
-
-Outgoing outgoing(Surface s_14, vec3 wo_1, vec3 hero_2) {
-    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_12 = uint(s_14.code);
-    bool _e5 = isConductor(code_12);
-    bool _e6 = isDielectric(code_12);
-    o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
-    const bool _e17 = hasLayers;
-    if (_e17) {
-        bool _e18 = isLayered(code_12);
-        if (_e18) {
-            meetLayers(s_14, wo_1, hero_2);
-        }
-    }
-    const bool _e20 = hasMetallicRoughness;
-    if (_e20) {
-        const bool _e22 = hasLayers;
-        if (!(_e22)) {
-            float _e26 = o_2.share;
-            float _e30 = specularShare(s_14.baseColor, s_14.metallic, wo_1.z);
-            bool _e31 = isMetallicRoughness(code_12);
-            o_2.share = pick(_e31, _e30, _e26);
-        }
-    }
-    const bool _e34 = hasGlass;
-    if (_e34) {
-        bool _e39 = isThin(code_12);
-        float _e40 = indexRatio(s_14.eta.x, wo_1.z, _e39);
-        bool _e41 = isDielectric(code_12);
-        o_2.ratio = pick(_e41, _e40, 1.0);
-    }
-    const bool _e45 = hasConductors;
-    const bool _e47 = hasMetallicRoughness;
-    const bool _e49 = hasLayers;
-    const bool _e54 = hasGlass;
-    if (pick(pick(_e45, true, pick(_e47, !(_e49), false)), true, _e54)) {
-        float _e58 = reflectionBound(wo_1, s_14.alpha);
-        bool _e59 = isDielectric(code_12);
-        o_2.bound = pick(_e59, 1.0, _e58);
-        float _e64 = stretched(wo_1, s_14.alpha);
-        o_2.stretched = _e64;
-    }
-    Outgoing _e65 = o_2;
-    return _e65;
-}
-
-float mirrorShare(float reflectivity) {
-    const bool _e2 = hasMirrorLayers;
-    return pick(_e2, reflectivity, 0.0);
-}
-
-vec3 sampleCosine(vec2 u_23) {
-    float radius_2 = sqrt(u_23.x);
-    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
-}
-
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_7 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
-    float drop = (u_24.y * (1.0 + (bound * w_7.z)));
-    float sine_5 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_8 = (w_7 + vec3((sine_5 * cos(phi_3)), (sine_5 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_8.xy), max(h_8.z, 1e-7)));
-}
-
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_25) {
-    float side_11 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_11), max(alpha_5, 0.001), o_3.bound, u_25);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
-}
-
-vec3 conductorFresnel(float cosine_11, vec3 eta_3, vec3 k_1) {
-    float cosine2_ = (cosine_11 * cosine_11);
-    float sine2_2 = (1.0 - cosine2_);
-    vec3 difference_1 = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_2));
-    vec3 a2PlusB2_ = sqrt(((difference_1 * difference_1) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_1))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k_1) / larger_1);
-    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_1, vec3(0.0)));
-    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_1, vec3(0.0)));
-    vec3 b2_ = ((b_13 * b_13) + vec3(1e-20));
-    vec3 acrossFar = (a_10 + vec3(cosine_11));
-    vec3 acrossNear = (a_10 - vec3(cosine_11));
-    vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_2));
-    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_2));
-    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
-}
-
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_12) {
-    float constants = dot((eta_4 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_12, eta_4, k_2);
-    return pick((constants > 0.0), _e8, baseColor_3);
-}
-
-float dielectricFresnel(float cosine_13, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
-    float inside_5 = sqrt(max(inside2_, 0.0));
-    float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
-    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
-    return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
-}
-
-float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_14, ratio_3);
-    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
-}
-
-vec3 facetReflectance(Surface s_15, float cosine_15, float ratio_4) {
-    vec3 reflectance = vec3(0.0);
-    uint code_13 = uint(s_15.code);
-    const bool _e9 = hasMetallicRoughness;
-    if (_e9) {
-        const bool _e11 = hasLayers;
-        if (!(_e11)) {
-            vec3 _e15 = metallicRoughnessF0_(s_15.baseColor, s_15.metallic);
-            vec3 _e16 = schlick(_e15, cosine_15);
-            reflectance = _e16;
-        }
-    }
-    const bool _e18 = hasConductors;
-    if (_e18) {
-        vec3 _e19 = reflectance;
-        vec3 _e23 = conductorReflectance(s_15.baseColor, s_15.eta, s_15.k, cosine_15);
-        bool _e24 = isConductor(code_13);
-        reflectance = pick(_e24, _e23, _e19);
-    }
-    const bool _e27 = hasGlass;
-    if (_e27) {
-        vec3 _e28 = reflectance;
-        bool _e29 = isThin(code_13);
-        float _e30 = glassReflectance(cosine_15, ratio_4, _e29);
-        bool _e32 = isDielectric(code_13);
-        reflectance = pick(_e32, vec3(_e30), _e28);
-    }
-    vec3 _e34 = reflectance;
-    return _e34;
-}
-
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
-    float cosine_22 = dot(wo_3, h_2);
-    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_22 * cosine_22)), 0.0));
-    return ((((cosine_22 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
-}
-
-bool isSolidHere() {
-    const bool _e1 = hasTransmission;
-    float _e4 = layersHere.solid;
-    return pick(_e1, (_e4 > 0.0), false);
-}
-
-float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_30 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_30 * s_30);
-    float least_2 = min(alpha_6.x, alpha_6.y);
-    float a2_2 = (least_2 * least_2);
-    return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
-}
-
-float ellipticStretched(vec3 w_4, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_4.xy);
-    return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
-}
-
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
-    float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_8 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
-    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
-    float sine_6 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_9 = (w_8 + vec3((sine_6 * cos(phi_4)), (sine_6 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_9.xy), max(h_9.z, 1e-7)));
-}
-
-vec3 toWorld(Basis b_6, vec3 v_10) {
-    return (((v_10.x * b_6.tangent) + (v_10.y * b_6.bitangent)) + (v_10.z * b_6.normal));
-}
-
-Parting partingOf(Surface s_16, Reflectance r_1) {
-    Parting parting = Parting(vec3(0.0), vec3(0.0));
-    vec3 toward = mix(r_1.dielectric, r_1.metal, s_16.metallic);
-    parting = Parting(toward, vec3(0.0));
-    const bool _e11 = hasTransmission;
-    if (_e11) {
-        float _e16 = greatest(r_1.dielectric);
-        float enters_1 = ((1.0 - s_16.metallic) * (1.0 - _e16));
-        vec3 _e24 = stackHere.hero;
-        bool _e27 = stackHere.inside;
-        float _e32 = layersHere.transmission;
-        vec3 _e38 = stackHere.hero;
-        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_16.baseColor) * _e38));
-    }
-    Parting _e41 = parting;
-    return _e41;
-}
-
-float shareToward(Surface s_17, Reflectance bare) {
-    Parting _e2 = partingOf(s_17, bare);
-    float _e4 = mean3_(_e2.toward);
-    float _e6 = mean3_(_e2.beyond);
-    float _e13 = layersHere.film;
-    return pick((_e6 > 0.0), mix((_e4 / max((_e4 + _e6), 1e-20)), 0.5, (0.5 * _e13)), 1.0);
-}
-
-LayeredSample sampleLayered(Surface s_18, vec3 u_27) {
-    Basis own_2 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
-    vec3 ownWo = vec3(0.0);
-    vec3 h_3 = vec3(0.0);
-    vec3 met = vec3(0.0);
-    bool crossing = false;
-    bool lost = false;
-    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, false);
-    vec3 wo_9 = stackHere.wo;
-    bool _e5 = isSolidHere();
-    const bool _e7 = hasCoats;
-    float _e11 = stackHere.ofCoat;
-    bool isCoat_1 = pick(_e7, (u_27.z < _e11), false);
-    float _e17 = stackHere.ofCoat;
-    float _e20 = stackHere.ofFacets;
-    bool isFacet = (u_27.z < (_e17 + _e20));
-    stackHere.drawnByCoat = isCoat_1;
-    vec2 _e27 = stackHere.alpha;
-    float _e30 = stackHere.coatAlpha;
-    vec2 alpha_14 = pick(isCoat_1, vec2(_e30), _e27);
-    bool isSmooth_1 = (max(alpha_14.x, alpha_14.y) < 0.001);
-    vec2 wide_1 = max(alpha_14, vec2(0.001));
-    const bool _e56 = hasCoatNormals;
-    if (_e56) {
-        if (isCoat_1) {
-            float _e59 = stackHere.side;
-            vec3 _e60 = coatNormal(_e59);
-            Basis _e61 = basisAbout(_e60);
-            own_2 = _e61;
-        }
-    }
-    ownWo = wo_9;
-    const bool _e64 = hasCoatNormals;
-    if (_e64) {
-        Basis _e65 = own_2;
-        vec3 _e66 = toLocal(_e65, wo_9);
-        ownWo = _e66;
-    }
-    vec3 _e67 = ownWo;
-    float _e68 = ellipticBound(_e67, wide_1);
-    float bound_2 = pick(pick(_e5, !(isCoat_1), false), 1.0, _e68);
-    vec3 _e73 = ownWo;
-    vec3 _e75 = sampleEllipticNormal(_e73, wide_1, bound_2, u_27.xy);
-    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
-    const bool _e83 = hasCoatNormals;
-    if (_e83) {
-        Basis _e84 = own_2;
-        vec3 _e85 = h_3;
-        vec3 _e86 = toWorld(_e84, _e85);
-        h_3 = _e86;
-    }
-    vec3 _e87 = h_3;
-    float oh = max(dot(wo_9, _e87), 0.0);
-    vec3 _e93 = h_3;
-    vec3 reflected_1 = (((2.0 * oh) * _e93) - wo_9);
-    met = reflected_1;
-    const bool _e100 = hasTransmission;
-    if (_e100) {
-        float _e104 = stackHere.ofCoat;
-        float _e108 = stackHere.ofFacets;
-        float left_2 = ((u_27.z - _e104) / max(_e108, 1e-20));
-        Reflectance _e113 = bareReflectance(s_18, oh);
-        float _e114 = shareToward(s_18, _e113);
-        crossing = pick(!(isCoat_1), (left_2 >= _e114), false);
-        vec3 _e121 = h_3;
-        float _e124 = stackHere.ratio;
-        vec3 _e125 = refracted(wo_9, _e121, _e124);
-        vec3 beyond_1 = pick(_e5, _e125, vec3(reflected_1.xy, -(reflected_1.z)));
-        bool _e127 = crossing;
-        met = pick(_e127, beyond_1, reflected_1);
-    }
-    bool _e130 = crossing;
-    float _e132 = met.z;
-    lost = pick(!(isSmooth_1), (_e130 != (_e132 < 0.0)), false);
-    const bool _e139 = hasCoatNormals;
-    if (_e139) {
-        if (isCoat_1) {
-            vec3 _e141 = own_2.normal;
-            vec3 _e142 = met;
-            float _e147 = met.z;
-            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_18.eta.x < 0.0), false));
-        }
-    }
-    vec3 _e156 = met;
-    bool _e157 = lost;
-    drawn = LayeredSample(_e156, pick(_e157, 0.0, 1.0), isSmooth_1);
-    if (!(isFacet)) {
-        float _e167 = stackHere.ofCoat;
-        float _e171 = stackHere.ofFacets;
-        float next_1 = ((u_27.z - _e167) - _e171);
-        float sine_7 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
-        vec3 even = vec3((sine_7 * cos(phi_5)), (sine_7 * sin(phi_5)), (1.0 - u_27.x));
-        vec3 _e195 = sampleCosine(u_27.xy);
-        const bool _e201 = hasTransmission;
-        float _e204 = stackHere.ofSheen;
-        float _e207 = stackHere.ofDiffuse;
-        vec3 below_3 = vec3(_e195.xy, pick(pick(_e201, (next_1 >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
-        const bool _e214 = hasSheen;
-        float _e217 = stackHere.ofSheen;
-        drawn = LayeredSample(pick(pick(_e214, (next_1 < _e217), false), even, below_3), 1.0, false);
-    }
-    float _e226 = drawn.direction.z;
-    float _e229 = stackHere.side;
-    drawn.direction.z = (_e226 * _e229);
-    LayeredSample _e231 = drawn;
-    return _e231;
-}
-
-vec3 mirrored(vec3 wo_6) {
-    return vec3(-(wo_6.xy), wo_6.z);
-}
-
-BsdfSample sampleLobe(Surface s_19, Outgoing o_4, vec3 u_28) {
-    BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
-    vec3 wi = vec3(0.0);
-    float probability_3 = 0.0;
-    vec3 weight = vec3(0.0);
-    vec3 wo_10 = o_4.wo;
-    float _e5 = mirrorShare(s_19.reflectivity);
-    float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_28.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_28.xy);
-    drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
-    const bool _e20 = hasConductors;
-    const bool _e22 = hasMetallicRoughness;
-    const bool _e24 = hasLayers;
-    const bool _e29 = hasGlass;
-    if (pick(pick(_e20, true, pick(_e22, !(_e24), false)), true, _e29)) {
-        uint code_14 = uint(s_19.code);
-        bool _e33 = isDielectric(code_14);
-        bool _e34 = isSmooth(code_14);
-        vec3 _e37 = sampleFacet(s_19.alpha, _e34, o_4, u_28.xy);
-        float oh_1 = max(dot(wo_10, _e37), 0.0);
-        vec3 _e42 = facetReflectance(s_19, oh_1, o_4.ratio);
-        bool crossing_2 = pick(_e33, (choice_2 >= _e42.x), false);
-        wi = (((2.0 * oh_1) * _e37) - wo_10);
-        probability_3 = (base_2 * o_4.share);
-        weight = (_e42 / vec3(o_4.share));
-        const bool _e59 = hasGlass;
-        if (_e59) {
-            bool _e60 = isThin(code_14);
-            vec3 _e61 = wi;
-            vec3 _e63 = refracted(wo_10, _e37, o_4.ratio);
-            wi = pick(crossing_2, pick(_e60, -(wo_10), _e63), _e61);
-            float _e67 = probability_3;
-            probability_3 = pick(_e33, (base_2 * pick(crossing_2, (1.0 - _e42.x), _e42.x)), _e67);
-            vec3 _e75 = weight;
-            weight = pick(_e33, vec3(pick(pick(crossing_2, !(_e60), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e75);
-        }
-        float _e92 = wi.z;
-        bool lost_1 = pick(!(_e34), (crossing_2 != ((wo_10.z < 0.0) != (_e92 < 0.0))), false);
-        bool specular_1 = (choice_2 < o_4.share);
-        vec3 _e102 = drawn_1.direction;
-        vec3 _e103 = wi;
-        drawn_1.direction = pick(specular_1, _e103, _e102);
-        float _e107 = drawn_1.pdf;
-        float _e108 = probability_3;
-        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e108), _e107);
-        vec3 _e114 = drawn_1.weight;
-        vec3 _e115 = weight;
-        drawn_1.weight = pick(specular_1, _e115, _e114);
-        drawn_1.delta = pick(specular_1, _e34, false);
-    }
-    const bool _e120 = hasLayers;
-    if (_e120) {
-        bool _e123 = isLayered(uint(s_19.code));
-        if (_e123) {
-            LayeredSample _e126 = sampleLayered(s_19, vec3(u_28.xy, choice_2));
-            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), vec3(0.0), _e126.delta);
-        }
-    }
-    const bool _e135 = hasMirrorLayers;
-    if (_e135) {
-        bool reflected_2 = (u_28.z < _e5);
-        vec3 _e140 = drawn_1.direction;
-        vec3 _e141 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_2, _e141, _e140);
-        float _e145 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_2, _e5, _e145);
-        vec3 _e149 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_2, vec3(1.0), _e149);
-        bool _e155 = drawn_1.delta;
-        drawn_1.delta = pick(_e155, true, reflected_2);
-    }
-    BsdfSample _e157 = drawn_1;
-    return _e157;
-}
-
-float facetDensity(vec3 h_4, float alpha_9) {
-    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_9 * alpha_9)) + (h_4.z * h_4.z)), 1.0);
-    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
-}
-
-bool hidesApart(uint code_11) {
-    return ((code_11 & 64u) != 0u);
-}
-
-vec3 compensation(Surface s_20, float cosine_16) {
-    uint code_15 = uint(s_20.code);
-    bool _e8 = isDielectric(code_15);
-    bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
-    vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
-    return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
-}
-
-FacetLobe evaluateFacets(Surface s_21, Outgoing o_5, vec3 wi_1) {
-    vec3 passes = vec3(0.0);
-    vec3 wo_11 = o_5.wo;
-    bool _e6 = isDielectric(uint(s_21.code));
-    const bool _e8 = hasGlass;
-    bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
-    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
-    float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_10 = (m_1 * inversesqrt(m2_1));
-    float oh_2 = dot(wo_11, h_10);
-    float ih = dot(wi_1, h_10);
-    float zo = abs(wo_11.z);
-    float zi = abs(wi_1.z);
-    bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
-    float _e54 = facetDensity(h_10, s_21.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
-    vec3 _e62 = facetReflectance(s_21, abs(oh_2), o_5.ratio);
-    passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
-    float _e69 = stretched(wi_1, s_21.alpha);
-    float apart = ((0.5 * (zo + o_5.stretched)) * (zi + _e69));
-    bool _e82 = hidesApart(uint(s_21.code));
-    float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
-    float _e88 = passes.x;
-    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
-    const bool _e98 = hasCompensation;
-    if (_e98) {
-        vec3 _e99 = passes;
-        vec3 _e100 = compensation(s_21, zo);
-        passes = (_e99 * _e100);
-    }
-    vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
-}
-
-vec4 evaluateBsdf(Surface s_22, Outgoing o_6, vec3 wi_2) {
-    vec4 value = vec4(0.0);
-    bool dark = false;
-    vec3 base = vec3(0.0);
-    float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_22.baseColor, 1.0) * lambert);
-    dark = pick((o_6.wo.z < 0.0), true, (wi_2.z <= 0.0));
-    const bool _e23 = hasConductors;
-    const bool _e25 = hasMetallicRoughness;
-    const bool _e27 = hasLayers;
-    const bool _e32 = hasGlass;
-    if (pick(pick(_e23, true, pick(_e25, !(_e27), false)), true, _e32)) {
-        uint code_16 = uint(s_22.code);
-        FacetLobe _e36 = evaluateFacets(s_22, o_6, wi_2);
-        const bool _e41 = hasMetallicRoughness;
-        if (_e41) {
-            const bool _e43 = hasLayers;
-            if (!(_e43)) {
-                vec3 _e45 = base;
-                vec3 _e49 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e36.cosine);
-                bool _e50 = isMetallicRoughness(code_16);
-                base = pick(_e50, _e49, _e45);
-            }
-        }
-        bool _e59 = isSmooth(code_16);
-        vec4 rough_1 = pick(_e59, vec4(0.0), vec4(_e36.value, (o_6.share * _e36.pdf)));
-        vec3 _e61 = base;
-        vec4 _e68 = value;
-        uint _e69 = kindOf(code_16);
-        value = pick((_e69 == diffuse0_), _e68, (rough_1 + (vec4(_e61, (1.0 - o_6.share)) * lambert)));
-        bool _e73 = dark;
-        bool _e74 = isSmooth(code_16);
-        bool _e75 = isDielectric(code_16);
-        dark = pick(_e75, _e74, _e73);
-    }
-    float _e78 = mirrorShare(s_22.reflectivity);
-    vec4 _e81 = value;
-    bool _e85 = dark;
-    return pick(_e85, vec4(0.0), ((1.0 - _e78) * _e81));
-}
-
-BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
-}
-
-float ellipticDensity(vec3 h_5, vec2 alpha_10) {
-    vec2 scaled_1 = (h_5.xy / alpha_10);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
-    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
-}
-
-Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
-    vec3 ownWo_1 = vec3(0.0);
-    vec3 ownWi = vec3(0.0);
-    vec3 ownH = vec3(0.0);
-    vec3 wo_12 = stackHere.wo;
-    vec2 _e8 = stackHere.alpha;
-    float _e11 = stackHere.coatAlpha;
-    vec2 alpha_15 = pick(isCoat, vec2(_e11), _e8);
-    bool isRough = (max(alpha_15.x, alpha_15.y) >= 0.001);
-    vec2 wide_2 = max(alpha_15, vec2(0.001));
-    float _e24 = stackHere.ratio;
-    vec3 m_2 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
-    float m2_2 = max(dot(m_2, m_2), 1e-20);
-    vec3 h_11 = (m_2 * inversesqrt(m2_2));
-    float oh_3 = dot(wo_12, h_11);
-    float ih_1 = dot(wi_3, h_11);
-    ownWo_1 = wo_12;
-    ownWi = wi_3;
-    ownH = h_11;
-    const bool _e40 = hasCoatNormals;
-    if (_e40) {
-        if (isCoat) {
-            float _e43 = stackHere.side;
-            vec3 _e44 = coatNormal(_e43);
-            Basis _e45 = basisAbout(_e44);
-            vec3 _e46 = toLocal(_e45, wo_12);
-            ownWo_1 = _e46;
-            vec3 _e47 = toLocal(_e45, wi_3);
-            ownWi = _e47;
-            vec3 _e48 = toLocal(_e45, h_11);
-            ownH = _e48;
-        }
-    }
-    float _e50 = ownH.z;
-    float _e55 = ownH.z;
-    float _e58 = ownWi.z;
-    float _e64 = ownWi.z;
-    bool faces_2 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
-    vec3 _e74 = ownH;
-    float _e75 = ellipticDensity(_e74, wide_2);
-    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_2, isRough, false), (2.0 * _e75), 0.0));
-    vec3 _e82 = ownWo_1;
-    float _e83 = ellipticStretched(_e82, wide_2);
-    float _e85 = ownWi.z;
-    float ownZi = abs(_e85);
-    float _e89 = ownWo_1.z;
-    vec3 _e90 = ownWi;
-    float _e91 = ellipticStretched(_e90, wide_2);
-    float masked_1 = (ownZi / max(((ownZi * _e83) + (_e89 * _e91)), 1e-20));
-    vec3 _e97 = ownWo_1;
-    float _e98 = ellipticBound(_e97, wide_2);
-    bool _e99 = isSolidHere();
-    float bound_3 = pick(pick(_e99, !(isCoat), false), 1.0, _e98);
-    float _e106 = ownWo_1.z;
-    return Facets((spread_1 * masked_1), (spread_1 / ((bound_3 * _e106) + _e83)), min(abs(oh_3), 1.0));
-}
-
-vec3 indexOf(vec3 f0_1) {
-    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
-    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
-}
-
-vec3 sensitivity(float difference, vec3 shift) {
-    float phase = (6.2831855e-9 * difference);
-    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
-    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
-    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_28 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_28) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_28) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_28) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
-}
-
-vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17) {
-    vec3 sum = vec3(0.0);
-    vec3 amplitude = vec3(0.0);
-    float order = 1.0;
-    float sine2_3 = ((1.0 - (cosine_17 * cosine_17)) / (filmIor * filmIor));
-    float within_2 = sqrt(max((1.0 - sine2_3), 0.0));
-    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
-    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_17);
-    float r12_ = _e21.x;
-    float t121_ = (1.0 - r12_);
-    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
-    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_2);
-    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
-    vec3 once = sqrt(r123_);
-    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
-    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_2 = (((2.0 * filmIor) * thickness) * within_2);
-    sum = (vec3(r12_) + rs);
-    amplitude = (rs - vec3(t121_));
-    while(true) {
-        vec3 _e71 = amplitude;
-        amplitude = (_e71 * once);
-        vec3 _e73 = sum;
-        vec3 _e74 = amplitude;
-        float _e77 = order;
-        float _e79 = order;
-        vec3 _e81 = sensitivity((_e77 * difference_2), (_e79 * shift_1));
-        sum = (_e73 + ((2.0 * _e74) * _e81));
-        float _e84 = order;
-        order = (_e84 + 1.0);
-        float _e87 = order;
-        if ((_e87 > 2.5)) {
-            break;
-        }
-    }
-    vec3 _e90 = sum;
-    return clamp(_e90, vec3(0.0), vec3(1.0));
-}
-
-Reflectance filmedReflectance(Surface s_23, Reflectance bare_1, float cosine_18) {
-    Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
-    bool isMetal = false;
-    r_2 = bare_1;
-    float _e6 = layersHere.film;
-    if ((_e6 > 0.0)) {
-        float _e9 = outerCosine(cosine_18);
-        isMetal = (s_23.metallic >= 1.0);
-        while(true) {
-            float _e16 = layersHere.specularWeight;
-            vec3 _e17 = dielectricF0_();
-            bool _e20 = isMetal;
-            vec3 f0_4 = pick(_e20, s_23.baseColor, (_e16 * _e17));
-            float _e24 = layersHere.filmIor;
-            float _e27 = layersHere.filmThickness;
-            vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
-            bool _e29 = isMetal;
-            if (_e29) {
-                vec3 _e32 = r_2.metal;
-                float _e35 = layersHere.film;
-                r_2.metal = mix(_e32, _e28, _e35);
-            } else {
-                vec3 _e39 = r_2.dielectric;
-                float _e42 = layersHere.film;
-                r_2.dielectric = mix(_e39, _e28, _e42);
-            }
-            bool _e44 = isMetal;
-            if (pick(_e44, true, (s_23.metallic <= 0.0))) {
-                break;
-            }
-            isMetal = true;
-        }
-        const bool _e51 = hasTransmission;
-        if (_e51) {
-            vec3 _e54 = r_2.dielectric;
-            float _e59 = stackHere.ratio;
-            bool _e60 = reflectsAll(cosine_18, _e59);
-            r_2.dielectric = pick(_e60, vec3(1.0), _e54);
-        }
-    }
-    Reflectance _e62 = r_2;
-    return _e62;
-}
-
-float shadowingExponent(float x_17, float alpha_11) {
-    float m_3 = ((1.0 - alpha_11) * (1.0 - alpha_11));
-    float a_11 = mix(21.5473, 25.3245, m_3);
-    float b_14 = mix(3.82987, 3.32435, m_3);
-    float c_6 = mix(0.19823, 0.16801, m_3);
-    float d_4 = mix(-1.9776, -1.27393, m_3);
-    float e_28 = mix(-4.32054, -4.85967, m_3);
-    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_28);
-}
-
-float sheenShadowing(float cosine_19, float alpha_12) {
-    float x_29 = clamp(cosine_19, 1e-6, 1.0);
-    bool isLow = (x_29 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_29, max((1.0 - x_29), 1e-6)), alpha_12);
-    float _e14 = shadowingExponent(0.5, alpha_12);
-    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
-}
-
-float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
-    vec3 m_4 = (wo_7 + wi_4);
-    float m2_3 = max(dot(m_4, m_4), 1e-20);
-    float sine2_4 = clamp((dot(m_4.xy, m_4.xy) / m2_3), 0.0, 1.0);
-    float power_1 = (0.5 / alpha_13);
-    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
-    float zo_1 = max(wo_7.z, 1e-6);
-    float _e38 = sheenShadowing(wo_7.z, alpha_13);
-    float _e42 = sheenShadowing(wi_4.z, alpha_13);
-    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
-}
-
-float sheenAlpha(float roughness_1) {
-    float r_6 = max(roughness_1, 0.07);
-    return (r_6 * r_6);
-}
-
-Cover0_ coverTowards(vec3 wi_5, bool crossing_1) {
-    Cover0_ cover_1 = Cover0_(1.0, vec4(0.0));
-    const bool _e8 = hasCoats;
+void meetSurface(inout Path p_17, PairHit hit_5) {
+    Meeting _e2 = meetingAt(p_17, hit_5);
+    p_17.escaped = (hit_5.shape == noShape);
+    const bool _e8 = hasMeshes;
     if (_e8) {
-        float _e11 = layersHere.coat;
-        float _e14 = stackHere.side;
-        float _e15 = coatCosine(_e14, wi_5);
-        float _e16 = coatReflectance(_e11, _e15);
-        float _e20 = stackHere.coat;
-        bool _e23 = stackHere.inside;
-        cover_1.left = (1.0 - pick(pick(_e23, crossing_1, false), _e16, _e20));
-    }
-    const bool _e29 = hasSheen;
-    if (_e29) {
-        float _e32 = stackHere.sheenColor;
-        if ((_e32 > 0.0)) {
-            float _e37 = layersHere.solid;
-            bool _e43 = stackHere.inside;
-            bool isOutside = pick(!((_e37 > 0.0)), true, (_e43 == crossing_1));
-            float _e48 = stackHere.sheen;
-            float _e53 = layersHere.sheenRoughness;
-            float _e54 = sheenAlbedo(abs(wi_5.z), _e53);
-            float most_2 = max(_e48, _e54);
-            float _e58 = stackHere.coat;
-            vec3 _e63 = stackHere.wo;
-            float _e66 = layersHere.sheenRoughness;
-            float _e67 = sheenAlpha(_e66);
-            float _e68 = whiteSheen(_e63, wi_5, _e67);
-            float white_1 = (((1.0 - _e58) * _e68) / max(most_2, 1.0));
-            vec3 _e76 = layersHere.sheenColor;
-            float _e80 = stackHere.ofSheen;
-            bool _e88 = stackHere.inside;
-            cover_1.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white_1 * _e76), (_e80 * 0.15915494)));
-            float _e92 = cover_1.left;
-            float _e95 = stackHere.sheenColor;
-            float _e98 = stackHere.sheen;
-            cover_1.left = (_e92 * (1.0 - (_e95 * min(pick(isOutside, most_2, _e98), 1.0))));
-        }
-    }
-    Cover0_ _e106 = cover_1;
-    return _e106;
-}
-
-float ofBeyond() {
-    float _e2 = stackHere.ofCoat;
-    float _e7 = stackHere.ofFacets;
-    float _e11 = stackHere.ofSheen;
-    float _e15 = stackHere.ofDiffuse;
-    return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
-}
-
-LayeredPair evaluateLayers(Surface s_24, vec3 toLight_3, vec3 toSample, bool byMirror) {
-    LayeredPair pair_2 = LayeredPair(vec4(0.0), vec4(0.0));
-    bool isLight = false;
-    bool isFirst = true;
-    vec4 sum_1 = vec4(0.0);
-    float intoBody = 0.0;
-    Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
-    float chosen_1 = 0.0;
-    uint _e12 = frame.emitterCount;
-    isLight = (_e12 > 0u);
-    while(true) {
-        bool _e23 = isLight;
-        vec3 given_2 = pick(_e23, toLight_3, toSample);
-        float _e29 = stackHere.side;
-        vec3 wi_6 = vec3(given_2.xy, (given_2.z * _e29));
-        vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
-        const bool _e37 = hasTransmission;
-        const bool _e39 = hasCoatNormals;
-        bool crossing_4 = pick(pick(_e37, true, _e39), (wi_6.z < 0.0), false);
-        float _e47 = stackHere.coat;
-        bool _e50 = isSolidHere();
-        bool _e53 = stackHere.inside;
-        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_24.metallic < 1.0), false));
-        const bool _e62 = hasCoats;
-        const bool _e64 = hasTransmission;
-        bool _e66 = isFirst;
-        bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
-        const bool _e70 = hasCoatNormals;
-        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_24.eta.x >= 0.0), false)), false);
-        bool _e78 = isSolidHere();
-        bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
-        Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
-        bool _e87 = isLight;
-        bool ofMirror = pick(byMirror, !(_e87), false);
-        bool _e92 = stackHere.drawnByCoat;
-        bool isMirror_1 = pick(ofMirror, (isCoat_2 == _e92), false);
-        float value_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.value));
-        float density_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
-        float _e109 = stackHere.wo.z;
-        bool _e112 = stackHere.inside;
-        float cosine_23 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
-        Reflectance _e116 = bareReflectance(s_24, cosine_23);
-        r_3 = _e116;
-        const bool _e119 = hasIridescence;
-        if (_e119) {
-            Reflectance _e120 = filmedReflectance(s_24, _e116, cosine_23);
-            r_3 = _e120;
-        }
-        float _e121 = intoBody;
-        vec3 _e126 = r_3.dielectric;
-        float _e127 = greatest(_e126);
-        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_24.metallic) * (1.0 - _e127)), _e121);
-        if (isCoat_2) {
-            float _e136 = stackHere.coat;
-            float _e141 = stackHere.ofCoat;
-            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_2)));
-            isFirst = false;
-        } else {
-            Cover0_ _e148 = coverTowards(wi_6, crossing_4);
-            Reflectance _e149 = r_3;
-            Parting _e150 = partingOf(s_24, _e149);
-            vec3 _e155 = stackHere.more;
-            vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
-            float _e165 = stackHere.ofFacets;
-            chosen_1 = _e165;
-            const bool _e168 = hasTransmission;
-            if (_e168) {
-                float _e169 = shareToward(s_24, _e116);
-                float _e170 = chosen_1;
-                float _e176 = stackHere.ratio;
-                float _e179 = stackHere.ratio;
-                chosen_1 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
-            }
-            vec4 _e185 = sum_1;
-            float _e187 = chosen_1;
-            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_2)));
-            float _e193 = layersHere.beyond;
-            float _e200 = layersHere.beyond;
-            vec3 _e203 = layersHere.beyondColor;
-            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_24.baseColor));
-            float _e207 = intoBody;
-            float _e211 = layersHere.transmission;
-            vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
-            float _e219 = stackHere.ofDiffuse;
-            float _e220 = ofBeyond();
-            vec4 even_1 = (_e148.fibres + (vec4(matte, pick(crossing_4, _e220, _e219)) * (0.31830987 * facing.z)));
-            vec4 _e228 = sum_1;
-            sum_1 = (_e228 + pick(ofMirror, vec4(0.0), even_1));
-            vec4 _e233 = sum_1;
-            sum_1 = pick(pick(!(crossing_4), (wi_6.z < 0.0), false), vec4(0.0), _e233);
-            vec4 _e243 = pair_2.toLight;
-            vec4 _e244 = sum_1;
-            bool _e245 = isLight;
-            vec4 _e247 = sum_1;
-            pair_2 = LayeredPair(pick(_e245, _e244, _e243), _e247);
-            bool _e249 = isLight;
-            if (!(_e249)) {
-                break;
-            }
-            isLight = false;
-            isFirst = true;
-            sum_1 = vec4(0.0);
-        }
-    }
-    LayeredPair _e255 = pair_2;
-    return _e255;
-}
-
-Pair evaluatePair(Surface s_25, Outgoing o_7, vec3 toLight_4, BsdfSample drawn_3) {
-    Pair pair_3 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
-    vec4 _e4 = evaluateBsdf(s_25, o_7, toLight_4);
-    vec4 _e6 = evaluateBsdf(s_25, o_7, drawn_3.direction);
-    BsdfSample _e7 = completed(drawn_3, _e6);
-    pair_3 = Pair(_e4, _e7);
-    const bool _e11 = hasLayers;
-    if (_e11) {
-        bool _e14 = isLayered(uint(s_25.code));
-        if (_e14) {
-            bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
-            float _e24 = mirrorShare(s_25.reflectivity);
-            float base_3 = (1.0 - _e24);
-            LayeredPair _e28 = evaluateLayers(s_25, toLight_4, drawn_3.direction, byMirror_1);
-            pair_3.toLight = (base_3 * _e28.toLight);
-            BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_3 * _e28.toSample));
-            pair_3.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
-        }
-    }
-    Pair _e48 = pair_3;
-    return _e48;
-}
-
-bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
-    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
-}
-
-float max3_(vec3 v_11) {
-    return max(max(v_11.x, v_11.y), v_11.z);
-}
-
-bool isFlat(uint i_25) {
-    uint _e4 = frame.shapeEnds.y;
-    return (i_25 >= _e4);
-}
-
-void meetSurface(inout Path p_14, PairHit hit_2) {
-    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 hero_3 = vec3(1.0);
-    RayPair rays_2 = p_14.rays;
-    bool escaped = (hit_2.shape == noShape);
-    uint shape_1 = pick(escaped, 0u, hit_2.shape);
-    SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
-    surface_1 = _e10.surface;
-    float _e14 = surface_1.code;
-    float _e18 = surface_1.eta.x;
-    bool _e19 = letsThrough(uint(_e14), _e18);
-    vec3 point_20 = (rays_2.point + (hit_2.t * rays_2.direction));
-    vec3 outward_1 = _e10.shading;
-    vec3 normal_18 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e34 = basisAbout(normal_18);
-    basis = _e34;
-    const bool _e37 = hasGrain;
-    if (_e37) {
-        vec3 _e39 = grainHere;
-        if (any(notEqual(_e39, vec3(0.0)))) {
-            vec3 _e45 = grainHere;
-            Basis _e46 = basisAlong(normal_18, _e45);
-            basis = _e46;
-        }
-    }
-    Basis _e47 = basis;
-    vec3 _e50 = toLocal(_e47, -(rays_2.direction));
-    const bool _e52 = hasGlass;
-    const bool _e54 = hasTransmission;
-    if (pick(_e52, true, _e54)) {
-        float _e57 = surface_1.code;
-        bool _e59 = isThin(uint(_e57));
-        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped), false);
-        vec3 _e69 = p_14.throughput;
-        vec3 _e71 = surface_1.absorption;
-        p_14.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
-    }
-    const bool _e80 = hasCoatNormals;
-    if (_e80) {
-        vec3 _e82 = coatNormalHere;
-        bool away = pick((dot(_e82, rays_2.direction) > 0.0), !(_e19), false);
-        Basis _e90 = basis;
-        vec3 _e92 = coatNormalHere;
-        vec3 _e94 = coatNormalHere;
-        vec3 _e97 = toLocal(_e90, pick(away, -(_e94), _e92));
-        coatNormalHere = _e97;
-    }
-    const bool _e99 = hasCoats;
-    if (_e99) {
-        vec3 _e101 = surface_1.emission;
-        float _e104 = layersHere.coat;
-        float _e106 = coatCosine(1.0, _e50);
-        float _e107 = coatReflectance(_e104, _e106);
-        surface_1.emission = (_e101 * (1.0 - _e107));
-    }
-    Emitter _e112 = fetchEmitter(0u);
-    p_14.escaped = escaped;
-    const bool _e115 = hasMeshes;
-    if (_e115) {
-        if (escaped) {
-            p_14.rays.goesOn = false;
+        bool _e10 = p_17.escaped;
+        if (_e10) {
+            p_17.rays.goesOn = false;
             return;
         }
     }
-    Path _e119 = p_14;
-    Surface _e120 = surface_1;
-    vec3 _e122 = metLight(_e119, hit_2, _e120, _e10.geometric, _e112);
-    vec3 _e124 = p_14.radiance;
-    vec3 _e126 = p_14.throughput;
-    p_14.radiance = (_e124 + (_e126 * pick(escaped, vec3(0.0), _e122)));
-    vec3 litSide = pick(_e19, vec3(0.0), normal_18);
-    TwoPoints _e136 = nextTwo3d(p_14.sampler_);
-    EmitterChoice _e139 = chooseEmitter(point_20, litSide, _e136.first.z);
-    Emitter _e141 = emitterAt(_e139.index, _e112);
-    LightSample _e144 = sampleEmitter(_e141, point_20, _e136.first.xy);
-    float lightPdf = (_e144.pdf * _e139.probability);
-    const bool _e152 = hasTransmission;
-    if (_e152) {
-        float _e155 = layersHere.dispersion;
-        if (pick(_e19, (_e155 > 0.0), false)) {
-            vec3 _e160 = p_14.throughput;
-            float _e162 = nextHash(p_14.sampler_);
-            vec3 _e163 = heroColor(_e160, _e162);
-            hero_3 = _e163;
-        }
-    }
-    Surface _e164 = surface_1;
-    vec3 _e165 = hero_3;
-    Outgoing _e166 = outgoing(_e164, _e50, _e165);
-    Surface _e167 = surface_1;
-    BsdfSample _e169 = sampleLobe(_e167, _e166, _e136.second);
-    Surface _e170 = surface_1;
-    Basis _e171 = basis;
-    vec3 _e173 = toLocal(_e171, _e144.direction);
-    Pair _e174 = evaluatePair(_e170, _e166, _e173, _e169);
-    const bool _e176 = hasMeshes;
-    bool opaque = pick(_e176, !(_e19), false);
-    bool _e183 = crosses(_e10.geometric, _e144.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e183, false);
-    vec4 toLight_10 = pick(lightLeaks, vec4(0.0), _e174.toLight);
-    bool alone_1 = pick(_e144.delta, true, pick((_e141.shape < 0.0), (_e144.distance_ < 1e30), false));
-    float _e199 = misWeight(lightPdf, toLight_10.w);
-    float lightWeight = (pick(alone_1, 1.0, _e199) / lightPdf);
-    BsdfSample bsdf = _e174.drawn;
-    Basis _e204 = basis;
-    vec3 _e206 = toWorld(_e204, bsdf.direction);
-    bool _e210 = crosses(_e10.geometric, _e206, -(rays_2.direction));
-    bool leaks = pick(opaque, _e210, false);
-    uint _e214 = p_14.depth;
-    uint _e217 = frame.maxDepth;
-    bool goesOn = pick(!(escaped), (_e214 != _e217), false);
-    vec3 _e221 = p_14.throughput;
-    vec3 contribution = (((_e221 * toLight_10.xyz) * _e144.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_10.xyz * _e144.radiance), vec3(0.0))), false);
-    p_14.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e243 = p_14.throughput;
-    vec3 throughput_1 = (_e243 * bsdf.weight);
-    float _e246 = max3_(throughput_1);
-    uint _e252 = p_14.depth;
-    float survival = pick((_e252 < rouletteDepth), 1.0, min((_e246 / 0.33333334), 0.95));
-    float _e263 = max3_(throughput_1);
-    float _e268 = nextHash(p_14.sampler_);
-    bool alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e263 > 0.0), false), (_e268 < survival), false);
-    uint _e273 = p_14.depth;
-    p_14.depth = (_e273 + 1u);
-    const bool _e276 = hasMeshes;
-    bool stays = pick(!(_e276), escaped, false);
-    vec3 _e283 = p_14.throughput;
-    p_14.throughput = pick(stays, _e283, (throughput_1 / vec3(survival)));
-    float _e291 = p_14.pdf;
-    p_14.pdf = pick(stays, _e291, pick(bsdf.delta, 0.0, bsdf.pdf));
-    vec3 _e295 = p_14.litSide;
-    p_14.litSide = pick(stays, _e295, litSide);
-    float _e303 = p_14.odds.total;
-    p_14.odds.total = pick(stays, _e303, _e139.odds.total);
-    float _e311 = p_14.odds.tree;
-    p_14.odds.tree = pick(stays, _e311, _e139.odds.tree);
-    bool _e313 = isFlat(shape_1);
-    bool solid = !(_e313);
-    uint lightShape = pick((_e141.shape >= 0.0), uint(max(_e141.shape, 0.0)), noShape);
-    Sampler _e347 = p_14.sampler_;
-    uint _e348 = numberOfNext(_e347);
-    p_14.rays = RayPair(pick(stays, rays_2.point, point_20), shape_1, hit_2.triangle, (1e-5 * length(point_20)), alive, pick(stays, rays_2.direction, _e206), pick(solid, (dot(_e206, outward_1) < 0.0), false), _e144.direction, pick(solid, (dot(_e144.direction, outward_1) < 0.0), false), pick(lit_2, _e144.distance_, -1.0), lightShape, _e348);
+    Lit _e14 = lightAt(p_17, hit_5, _e2);
+    scatter(p_17, hit_5, _e2, _e14);
     return;
 }
 
-void extendPath(inout Path p_15) {
-    RayPair _e2 = p_15.rays;
+void extendPath(inout Path p_18) {
+    RayPair _e2 = p_18.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_15.radiance;
-    vec3 _e7 = p_15.light;
-    p_15.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_15.rays.lightDistance = -1.0;
-    bool _e18 = p_15.rays.goesOn;
+    vec3 _e5 = p_18.radiance;
+    vec3 _e7 = p_18.light;
+    p_18.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_18.rays.lightDistance = -1.0;
+    bool _e18 = p_18.rays.goesOn;
     if (_e18) {
-        meetSurface(p_15, _e3);
+        meetSurface(p_18, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_16) {
-    return pick(!(p_16.rays.goesOn), (p_16.rays.lightDistance < 0.0), false);
+bool isOver(Path p_19) {
+    return pick(!(p_19.rays.goesOn), (p_19.rays.lightDistance < 0.0), false);
 }
 
 vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
@@ -4442,7 +4478,7 @@ EnvironmentLight lookUpEnvironment(vec3 direction_15) {
 }
 
 EnvironmentLight skyLight(vec3 direction_16) {
-    EnvironmentLight light = white;
+    EnvironmentLight light = white0_;
     const bool _e4 = hasEnvironment;
     if (_e4) {
         EnvironmentLight _e5 = lookUpEnvironment(direction_16);
@@ -4524,23 +4560,23 @@ float farProbability(Emitter e_27, vec3 normal_14, Odds odds_2) {
     return _e51;
 }
 
-void addSkyAndSuns(inout Path p_17) {
+void addSkyAndSuns(inout Path p_20) {
     vec3 found_9 = vec3(0.0);
     uint i_26 = 0u;
-    vec3 direction_24 = p_17.rays.direction;
+    vec3 direction_24 = p_20.rays.direction;
     FarLight _e4 = skySeen(direction_24);
     while(true) {
         uint _e10 = i_26;
         Emitter _e11 = fetchEmitter(_e10);
         FarLight _e12 = farLight(_e11, direction_24, _e4);
-        vec3 _e15 = p_17.litSide;
-        Odds _e17 = p_17.odds;
+        vec3 _e15 = p_20.litSide;
+        Odds _e17 = p_20.odds;
         float _e18 = farProbability(_e11, _e15, _e17);
         float pdf_6 = (_e12.pdf * _e18);
         vec3 _e20 = found_9;
-        float _e23 = p_17.pdf;
+        float _e23 = p_20.pdf;
         float _e24 = misWeight(_e23, pdf_6);
-        float _e26 = p_17.pdf;
+        float _e26 = p_20.pdf;
         found_9 = (_e20 + (_e12.radiance * pick((_e26 <= 0.0), 1.0, _e24)));
         uint _e34 = i_26;
         i_26 = (_e34 + 1u);
@@ -4555,21 +4591,21 @@ void addSkyAndSuns(inout Path p_17) {
             break;
         }
     }
-    vec3 _e49 = p_17.radiance;
-    vec3 _e51 = p_17.throughput;
+    vec3 _e49 = p_20.radiance;
+    vec3 _e51 = p_20.throughput;
     vec3 _e52 = found_9;
-    p_17.radiance = (_e49 + (_e51 * _e52));
+    p_20.radiance = (_e49 + (_e51 * _e52));
     return;
 }
 
-void addFarLight(inout Path p_18) {
+void addFarLight(inout Path p_21) {
     const bool _e2 = hasSky;
     const bool _e4 = hasSuns;
     if (pick(_e2, true, _e4)) {
-        bool _e7 = p_18.escaped;
+        bool _e7 = p_21.escaped;
         uint _e10 = frame.emitterCount;
         if (pick(_e7, (_e10 > 0u), false)) {
-            addSkyAndSuns(p_18);
+            addSkyAndSuns(p_21);
             return;
         } else {
             return;
