@@ -356,14 +356,14 @@ export class Stages {
       throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
     if (isRelay(pass)) return this.#addByRelay(pass, controller, submitted, unwanted);
-    const workgroup = workgroupOf(count);
+    const { tile } = workgroupOf(count);
     let row = 0;
     this.#pending = true;
     try {
       for (;;) {
         const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, width * count), height - row);
         const begun = performance.now();
-        this.#draw(pass, { width, height, firstRow: row, rowCount, ...workgroup });
+        this.#draw(pass, { width, height, firstRow: row, rowCount, samples: count, tile });
         row += rowCount;
         if (row === height) this.#complete(count, submitted);
         const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount * count, begun));

@@ -20,13 +20,13 @@ export class DeviceError extends Error {
 
 /**
  * The same work as a compute pass: after the bindings come the region (first row, columns and rows, as vec3u), the layers of the film
- * as storage textures and, as data that is written too, room where the threads of a pixel hand something to one another.
+ * as storage textures and, as data that is written too, room for a row of each film sample.
  */
 export interface ComputeSource {
   readonly wgsl: string;
   readonly entry: string;
-  /** Rows of that room for each thread. */
-  readonly handedRows: number;
+  /** Another entry that comes after it, of workgroups of 8 × 8 pixels: adds the samples to the film. */
+  readonly adding: string;
 }
 
 /**
@@ -129,9 +129,9 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
-  /** For compute passes: pixels of a workgroup, and threads of a pixel. */
+  /** For compute passes: film samples of each pixel, and pixels of a workgroup. */
+  readonly samples?: number;
   readonly tile?: readonly [width: number, height: number];
-  readonly shares?: number;
 }
 /** A rectangle of pixels, (x, y) its top left corner. */
 export interface FilmArea {

@@ -23,8 +23,8 @@ import type { RelayWords } from './relay-room.ts';
 export const PATH_LAYERS = 2;
 
 /**
- * Where a call may add many samples, groups of so many are rounded together, and it may touch so many groups at most: the compute pass
- * keeps their sums apart (path_entries.wesl). The film is the same however many it touches, but where one is cut.
+ * Where a call may add many samples, groups of so many are rounded together, and it may touch so many groups at most, since all samples
+ * are kept until they are added (path_entries.wesl). The film is the same however many it touches, but where one is cut.
  */
 export const SAMPLES_OF_GROUP = 32;
 export const MOST_GROUPS = 8;
@@ -48,7 +48,7 @@ const PATH: PassSource = {
     TEXELS,
   ],
   target: 'film',
-  compute: { wgsl: pathWgsl, entry: 'pathCompute', handedRows: 2 },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute', adding: 'addHanded' },
   layers: PATH_LAYERS,
 };
 

@@ -47,7 +47,6 @@ struct Sampler {
 struct Path {
     RayPair rays;
     vec3 light;
-    bool alive;
     vec3 throughput;
     bool escaped;
     uint depth;
@@ -360,9 +359,17 @@ uniform highp sampler2D previousSquares;
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
+Path noPath() {
+    Path p_1 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    p_1.rays.lightDirection = vec3(0.0, 1.0, 0.0);
+    p_1.rays.lightDistance = -1.0;
+    Path _e10 = p_1;
+    return _e10;
+}
+
 uint pcg(uint x) {
-    uint s_19 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_19 >> ((s_19 >> 28u) + 4u)) ^ s_19) * 277803737u);
+    uint s_18 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_18 >> ((s_18 >> 28u) + 4u)) ^ s_18) * 277803737u);
     return ((w_2 >> 22u) ^ w_2);
 }
 
@@ -547,10 +554,10 @@ vec2 next2d(inout Sampler s_2) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_17 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_17.x) > abs(p_17.y));
-    float radius_1 = pick(wide, p_17.x, p_17.y);
-    float ratio_4 = (pick(wide, p_17.y, p_17.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_19 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_19.x) > abs(p_19.y));
+    float radius_1 = pick(wide, p_19.x, p_19.y);
+    float ratio_4 = (pick(wide, p_19.y, p_19.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -618,31 +625,36 @@ vec2 lensPoint_2(inout Sampler s_3) {
     return _e7;
 }
 
-RayPair oneRay(vec3 origin, vec3 direction, uint number) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 uint numberOfNext(Sampler s_4) {
     uint _e8 = mixBits((((s_4.key + 1u) ^ s_4.salt) ^ 2246822507u));
     uint _e15 = mixBits((_e8 + ((s_4.sample_ << 8u) | s_4.place)));
     return _e15;
 }
 
-Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
-    Sampler s_5 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.seed;
-    Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
-    s_5 = _e5;
-    vec2 _e11 = next2d(s_5);
-    vec2 _e12 = filterOffset(_e11);
-    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
-    vec2 _e14 = lensPoint_2(s_5);
-    CameraRay _e15 = cameraRay(filmPosition_2, _e14);
-    Sampler _e18 = s_5;
-    uint _e19 = numberOfNext(_e18);
-    RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e35 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), false, 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e35);
+void startPath(inout Path p_2, uvec2 pixel_2, uint sampleIndex_2) {
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, sampleIndex_2, _e6);
+    p_2.sampler_ = _e7;
+    vec2 _e13 = next2d(p_2.sampler_);
+    vec2 _e14 = filterOffset(_e13);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e14);
+    vec2 _e17 = lensPoint_2(p_2.sampler_);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    p_2.rays.point = _e18.origin;
+    p_2.rays.shape = noShape;
+    p_2.rays.left = noTriangle;
+    p_2.rays.tMin = 0.0;
+    p_2.rays.goesOn = true;
+    p_2.rays.direction = _e18.direction;
+    Sampler _e40 = p_2.sampler_;
+    uint _e41 = numberOfNext(_e40);
+    p_2.rays.number = _e41;
+    p_2.light = vec3(0.0);
+    p_2.throughput = vec3(1.0);
+    p_2.depth = 1u;
+    p_2.radiance = vec3(0.0);
+    p_2.pdf = 0.0;
+    return;
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -655,10 +667,10 @@ Bounds fetchBounds(uint i) {
     return Bounds(_e2.xyz, _e2.w);
 }
 
-float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin_1);
-    float along = dot(toCenter, direction_1);
-    vec3 across_2 = (toCenter - (along * direction_1));
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_2 = (toCenter - (along * direction));
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
@@ -667,20 +679,20 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     return pick(startsInside, max(far_2, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
-    bool own_2 = (i_1 == p_1.shape);
-    float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+PairHit meet(PairHit found, RayPair p_3, uint i_1, vec2 t) {
+    bool own_2 = (i_1 == p_3.shape);
+    float pathT = pick(pick(own_2, !(p_3.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_2, !(p_3.lightInwards), false), true, (i_1 == p_3.lightShape)), 1e30, t.y);
     bool nearer = (pathT < found.t);
-    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_3.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
+PairHit meetSphere(PairHit found_1, RayPair p_4, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_3 = (i_2 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
+    bool own_3 = (i_2 == p_4.shape);
+    float _e13 = intersectSphere(p_4.point, p_4.direction, _e3.center, _e3.radius, p_4.tMin, pick(own_3, p_4.inwards, false));
+    float _e21 = intersectSphere(p_4.point, p_4.lightDirection, _e3.center, _e3.radius, p_4.tMin, pick(own_3, p_4.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_4, i_2, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -707,76 +719,76 @@ vec3 turned(vec4 q_1, vec3 v_1) {
     return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_2) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2, origin_3);
-    vec3 middle = (-(origin_3) * _e3);
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
 }
 
-PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
+PairHit meetBox(PairHit found_2, RayPair p_5, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_4 = (i_4 == p_3.shape);
-    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
-    vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
-    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
-    PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
+    bool own_4 = (i_4 == p_5.shape);
+    vec3 _e11 = turned(_e4.a, (p_5.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_5.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_5.tMin, pick(own_4, p_5.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_5.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_5.tMin, pick(own_4, p_5.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_5, i_4, vec2(_e20, _e29));
     return _e31;
 }
 
-float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_7 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_7);
-    vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_18 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_18, reciprocalU)), abs(dot(p_18, reciprocalV))) <= 0.500001);
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_9 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_9);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_8 = (dot(toCenter_1, normal_9) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_20 = ((t_8 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_20, reciprocalU)), abs(dot(p_20, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
+PairHit meetQuad(PairHit found_3, RayPair p_6, uint i_5) {
     Bounds _e3 = fetchBounds(i_5);
     Extent _e4 = fetchExtent(i_5);
-    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
-    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
-    PairHit _e24 = meet(found_3, p_4, i_5, vec2(_e13, _e22));
+    float _e13 = intersectQuad(p_6.point, p_6.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_6.tMin);
+    float _e22 = intersectQuad(p_6.point, p_6.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_6.tMin);
+    PairHit _e24 = meet(found_3, p_6, i_5, vec2(_e13, _e22));
     return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_9 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
+PairHit meetPlane(PairHit found_4, RayPair p_7, uint i_6) {
     Bounds _e3 = fetchBounds(i_6);
-    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
-    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
-    PairHit _e17 = meet(found_4, p_5, i_6, vec2(_e9, _e15));
+    float _e9 = intersectPlane(p_7.point, p_7.direction, _e3.center, _e3.radius, p_7.tMin);
+    float _e15 = intersectPlane(p_7.point, p_7.lightDirection, _e3.center, _e3.radius, p_7.tMin);
+    PairHit _e17 = meet(found_4, p_7, i_6, vec2(_e9, _e15));
     return _e17;
 }
 
-PairHit tracePair(RayPair p_6) {
+PairHit tracePair(RayPair p_8) {
     PairHit found_5 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_7 = 0u;
     uvec4 ends_1 = frame.shapeEnds;
@@ -787,7 +799,7 @@ PairHit tracePair(RayPair p_6) {
             while(true) {
                 PairHit _e21 = found_5;
                 uint _e22 = i_7;
-                PairHit _e23 = meetSphere(_e21, p_6, _e22);
+                PairHit _e23 = meetSphere(_e21, p_8, _e22);
                 found_5 = _e23;
                 uint _e25 = i_7;
                 i_7 = (_e25 + 1u);
@@ -805,7 +817,7 @@ PairHit tracePair(RayPair p_6) {
             while(true) {
                 PairHit _e35 = found_5;
                 uint _e36 = i_7;
-                PairHit _e37 = meetBox(_e35, p_6, _e36);
+                PairHit _e37 = meetBox(_e35, p_8, _e36);
                 found_5 = _e37;
                 uint _e39 = i_7;
                 i_7 = (_e39 + 1u);
@@ -823,7 +835,7 @@ PairHit tracePair(RayPair p_6) {
             while(true) {
                 PairHit _e49 = found_5;
                 uint _e50 = i_7;
-                PairHit _e51 = meetQuad(_e49, p_6, _e50);
+                PairHit _e51 = meetQuad(_e49, p_8, _e50);
                 found_5 = _e51;
                 uint _e53 = i_7;
                 i_7 = (_e53 + 1u);
@@ -841,7 +853,7 @@ PairHit tracePair(RayPair p_6) {
             while(true) {
                 PairHit _e63 = found_5;
                 uint _e64 = i_7;
-                PairHit _e65 = meetPlane(_e63, p_6, _e64);
+                PairHit _e65 = meetPlane(_e63, p_8, _e64);
                 found_5 = _e65;
                 uint _e67 = i_7;
                 i_7 = (_e67 + 1u);
@@ -862,12 +874,12 @@ bool isPlane(uint i_8) {
     return pick((i_8 >= _e4), (i_8 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
+vec3 boxNormal(vec3 origin_6, vec3 direction_5, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_6, direction_5, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_10 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_5, vec3(0.0))));
     bool onX = (crossed.x == t_10);
     bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
@@ -889,10 +901,10 @@ bool isSphere(uint i_10) {
     return (i_10 < _e4);
 }
 
-vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
+vec3 normalAt(RayPair p_9, float t_1, uint i_11) {
     vec3 normal_1 = vec3(0.0);
     Bounds _e3 = fetchBounds(i_11);
-    vec3 origin_8 = (p_7.point - _e3.center);
+    vec3 origin_7 = (p_9.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
@@ -904,10 +916,10 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_11);
-        bool inside = pick((i_11 == p_7.shape), p_7.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_8);
-        vec3 _e31 = turned(_e22.a, p_7.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
+        bool inside = pick((i_11 == p_9.shape), p_9.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_7);
+        vec3 _e31 = turned(_e22.a, p_9.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_9.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_11);
@@ -915,10 +927,10 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 outwards = (origin_8 + (t_1 * p_7.direction));
+        vec3 outwards = (origin_7 + (t_1 * p_9.direction));
         vec3 _e46 = normal_1;
         bool _e53 = isSphere(i_11);
-        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_7.direction), outwards), _e46);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_9.direction), outwards), _e46);
     }
     vec3 _e55 = normal_1;
     return normalize(_e55);
@@ -991,10 +1003,10 @@ bool isThin(uint code_5) {
     return pick(_e2, ((code_5 & 7u) == 7u), false);
 }
 
-Meeting meetingAt(inout Path p_8, PairHit hit_1) {
+Meeting meetingAt(inout Path p_10, PairHit hit_1) {
     Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
-    RayPair rays_1 = p_8.rays;
+    RayPair rays_1 = p_10.rays;
     bool escaped = (hit_1.shape == noShape);
     uint shape_1 = pick(escaped, 0u, hit_1.shape);
     SurfacePoint _e10 = surfaceAt(rays_1, hit_1, shape_1);
@@ -1003,8 +1015,8 @@ Meeting meetingAt(inout Path p_8, PairHit hit_1) {
     float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 outward_1 = _e10.shading;
-    vec3 normal_8 = pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e29 = basisAbout(normal_8);
+    vec3 normal_10 = pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e29 = basisAbout(normal_10);
     basis = _e29;
     Basis _e31 = basis;
     vec3 _e34 = toLocal(_e31, -(rays_1.direction));
@@ -1013,9 +1025,9 @@ Meeting meetingAt(inout Path p_8, PairHit hit_1) {
         float _e40 = surface_1.code;
         bool _e42 = isThin(uint(_e40));
         bool inside_1 = pick(pick(pick(_e19, !(_e42), false), (_e34.z < 0.0), false), !(escaped), false);
-        vec3 _e52 = p_8.throughput;
+        vec3 _e52 = p_10.throughput;
         vec3 _e54 = surface_1.absorption;
-        p_8.throughput = (_e52 * exp((-(_e54) * pick(inside_1, hit_1.t, 0.0))));
+        p_10.throughput = (_e52 * exp((-(_e54) * pick(inside_1, hit_1.t, 0.0))));
     }
     Surface _e67 = surface_1;
     Basis _e69 = basis;
@@ -1057,8 +1069,8 @@ float indexRatio(float eta_1, float z, bool thin) {
 }
 
 float reflectionBound(vec3 wo, float alpha) {
-    float s_20 = (1.0 + length(wo.xy));
-    float s2_ = (s_20 * s_20);
+    float s_19 = (1.0 + length(wo.xy));
+    float s2_ = (s_19 * s_19);
     float a2_ = (alpha * alpha);
     return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
 }
@@ -1067,9 +1079,9 @@ float stretched(vec3 w_1, float alpha_1) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_6, vec3 wo_1, vec3 hero) {
+Outgoing outgoing(Surface s_5, vec3 wo_1, vec3 hero) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_10 = uint(s_6.code);
+    uint code_10 = uint(s_5.code);
     bool _e5 = isConductor(code_10);
     bool _e6 = isDielectric(code_10);
     o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
@@ -1077,7 +1089,7 @@ Outgoing outgoing(Surface s_6, vec3 wo_1, vec3 hero) {
     if (_e17) {
         if (true) {
             float _e21 = o.share;
-            float _e25 = specularShare(s_6.baseColor, s_6.metallic, wo_1.z);
+            float _e25 = specularShare(s_5.baseColor, s_5.metallic, wo_1.z);
             bool _e26 = isMetallicRoughness(code_10);
             o.share = pick(_e26, _e25, _e21);
         }
@@ -1085,7 +1097,7 @@ Outgoing outgoing(Surface s_6, vec3 wo_1, vec3 hero) {
     const bool _e29 = hasGlass;
     if (_e29) {
         bool _e34 = isThin(code_10);
-        float _e35 = indexRatio(s_6.eta.x, wo_1.z, _e34);
+        float _e35 = indexRatio(s_5.eta.x, wo_1.z, _e34);
         bool _e36 = isDielectric(code_10);
         o.ratio = pick(_e36, _e35, 1.0);
     }
@@ -1093,10 +1105,10 @@ Outgoing outgoing(Surface s_6, vec3 wo_1, vec3 hero) {
     const bool _e42 = hasMetallicRoughness;
     const bool _e47 = hasGlass;
     if (pick(pick(_e40, true, pick(_e42, true, false)), true, _e47)) {
-        float _e51 = reflectionBound(wo_1, s_6.alpha);
+        float _e51 = reflectionBound(wo_1, s_5.alpha);
         bool _e52 = isDielectric(code_10);
         o.bound = pick(_e52, 1.0, _e51);
-        float _e57 = stretched(wo_1, s_6.alpha);
+        float _e57 = stretched(wo_1, s_5.alpha);
         o.stretched = _e57;
     }
     Outgoing _e58 = o;
@@ -1172,13 +1184,13 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_7, float cosine_7, float ratio_2) {
+vec3 facetReflectance(Surface s_6, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_11 = uint(s_7.code);
+    uint code_11 = uint(s_6.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         if (true) {
-            vec3 _e13 = metallicRoughnessF0_(s_7.baseColor, s_7.metallic);
+            vec3 _e13 = metallicRoughnessF0_(s_6.baseColor, s_6.metallic);
             vec3 _e14 = schlick(_e13, cosine_7);
             reflectance = _e14;
         }
@@ -1186,7 +1198,7 @@ vec3 facetReflectance(Surface s_7, float cosine_7, float ratio_2) {
     const bool _e16 = hasConductors;
     if (_e16) {
         vec3 _e17 = reflectance;
-        vec3 _e21 = conductorReflectance(s_7.baseColor, s_7.eta, s_7.k, cosine_7);
+        vec3 _e21 = conductorReflectance(s_6.baseColor, s_6.eta, s_6.k, cosine_7);
         bool _e22 = isConductor(code_11);
         reflectance = pick(_e22, _e21, _e17);
     }
@@ -1212,13 +1224,13 @@ vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_8, Outgoing o_2, vec3 u_7) {
+BsdfSample sampleLobe(Surface s_7, Outgoing o_2, vec3 u_7) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_5 = o_2.wo;
-    float _e5 = mirrorShare(s_8.reflectivity);
+    float _e5 = mirrorShare(s_7.reflectivity);
     float base_1 = (1.0 - _e5);
     float choice_1 = ((u_7.z - _e5) / base_1);
     vec3 _e12 = sampleCosine(u_7.xy);
@@ -1227,12 +1239,12 @@ BsdfSample sampleLobe(Surface s_8, Outgoing o_2, vec3 u_7) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e27 = hasGlass;
     if (pick(pick(_e20, true, pick(_e22, true, false)), true, _e27)) {
-        uint code_12 = uint(s_8.code);
+        uint code_12 = uint(s_7.code);
         bool _e31 = isDielectric(code_12);
         bool _e32 = isSmooth(code_12);
-        vec3 _e35 = sampleFacet(s_8.alpha, _e32, o_2, u_7.xy);
+        vec3 _e35 = sampleFacet(s_7.alpha, _e32, o_2, u_7.xy);
         float oh = max(dot(wo_5, _e35), 0.0);
-        vec3 _e40 = facetReflectance(s_8, oh, o_2.ratio);
+        vec3 _e40 = facetReflectance(s_7, oh, o_2.ratio);
         bool crossing = pick(_e31, (choice_1 >= _e40.x), false);
         wi = (((2.0 * oh) * _e35) - wo_5);
         probability = (base_1 * o_2.share);
@@ -1295,19 +1307,19 @@ float singleScatteringAlbedo(float cosine_8, float alpha_5) {
     return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
 
-vec3 compensation(Surface s_9, float cosine_9) {
-    uint code_13 = uint(s_9.code);
+vec3 compensation(Surface s_8, float cosine_9) {
+    uint code_13 = uint(s_8.code);
     bool _e8 = isDielectric(code_13);
     bool asked = pick(((code_13 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_9, s_9.alpha);
-    vec3 _e17 = facetReflectance(s_9, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_8.alpha);
+    vec3 _e17 = facetReflectance(s_8, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_10, Outgoing o_3, vec3 wi_1) {
+FacetLobe evaluateFacets(Surface s_9, Outgoing o_3, vec3 wi_1) {
     vec3 passes = vec3(0.0);
     vec3 wo_6 = o_3.wo;
-    bool _e6 = isDielectric(uint(s_10.code));
+    bool _e6 = isDielectric(uint(s_9.code));
     const bool _e8 = hasGlass;
     bool crossing_1 = pick(_e8, ((wo_6.z < 0.0) != (wi_1.z < 0.0)), false);
     vec3 m_4 = (wo_6 + (wi_1 * pick(crossing_1, o_3.ratio, 1.0)));
@@ -1318,44 +1330,44 @@ FacetLobe evaluateFacets(Surface s_10, Outgoing o_3, vec3 wi_1) {
     float zo = abs(wo_6.z);
     float zi = abs(wi_1.z);
     bool faces = pick(!(crossing_1), true, pick((((oh_1 * h_5.z) * wo_6.z) >= 0.0), (((ih * h_5.z) * wi_1.z) >= 0.0), false));
-    float _e54 = facetDensity(h_5, s_10.alpha);
+    float _e54 = facetDensity(h_5, s_9.alpha);
     float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces, (2.0 * _e54), 0.0));
-    vec3 _e62 = facetReflectance(s_10, abs(oh_1), o_3.ratio);
+    vec3 _e62 = facetReflectance(s_9, abs(oh_1), o_3.ratio);
     passes = pick(crossing_1, (vec3(1.0) - _e62), _e62);
-    float _e69 = stretched(wi_1, s_10.alpha);
+    float _e69 = stretched(wi_1, s_9.alpha);
     float apart = ((0.5 * (zo + o_3.stretched)) * (zi + _e69));
-    bool _e82 = hidesApart(uint(s_10.code));
+    bool _e82 = hidesApart(uint(s_9.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_3.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
     float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
-        vec3 _e100 = compensation(s_10, zo);
+        vec3 _e100 = compensation(s_9, zo);
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
     return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
-vec4 evaluateBsdf(Surface s_11, Outgoing o_4, vec3 wi_2) {
+vec4 evaluateBsdf(Surface s_10, Outgoing o_4, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_11.baseColor, 1.0) * lambert);
+    value = (vec4(s_10.baseColor, 1.0) * lambert);
     dark = pick((o_4.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e30 = hasGlass;
     if (pick(pick(_e23, true, pick(_e25, true, false)), true, _e30)) {
-        uint code_14 = uint(s_11.code);
-        FacetLobe _e34 = evaluateFacets(s_11, o_4, wi_2);
+        uint code_14 = uint(s_10.code);
+        FacetLobe _e34 = evaluateFacets(s_10, o_4, wi_2);
         const bool _e39 = hasMetallicRoughness;
         if (_e39) {
             if (true) {
                 vec3 _e41 = base;
-                vec3 _e45 = metallicRoughnessDiffuse(s_11.baseColor, s_11.metallic, _e34.cosine);
+                vec3 _e45 = metallicRoughnessDiffuse(s_10.baseColor, s_10.metallic, _e34.cosine);
                 bool _e46 = isMetallicRoughness(code_14);
                 base = pick(_e46, _e45, _e41);
             }
@@ -1371,7 +1383,7 @@ vec4 evaluateBsdf(Surface s_11, Outgoing o_4, vec3 wi_2) {
         bool _e71 = isDielectric(code_14);
         dark = pick(_e71, _e70, _e69);
     }
-    float _e74 = mirrorShare(s_11.reflectivity);
+    float _e74 = mirrorShare(s_10.reflectivity);
     vec4 _e77 = value;
     bool _e81 = dark;
     return pick(_e81, vec4(0.0), ((1.0 - _e74) * _e77));
@@ -1383,10 +1395,10 @@ BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_1), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
 }
 
-Pair evaluatePair(Surface s_12, Outgoing o_5, vec3 toLight, BsdfSample drawn_2) {
+Pair evaluatePair(Surface s_11, Outgoing o_5, vec3 toLight, BsdfSample drawn_2) {
     Pair pair = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
-    vec4 _e4 = evaluateBsdf(s_12, o_5, toLight);
-    vec4 _e6 = evaluateBsdf(s_12, o_5, drawn_2.direction);
+    vec4 _e4 = evaluateBsdf(s_11, o_5, toLight);
+    vec4 _e6 = evaluateBsdf(s_11, o_5, drawn_2.direction);
     BsdfSample _e7 = completed(drawn_2, _e6);
     pair = Pair(_e4, _e7);
     Pair _e10 = pair;
@@ -1414,14 +1426,14 @@ float unitFloat(uint h_2) {
     return (float((h_2 >> 8u)) * 5.9604645e-8);
 }
 
-float nextHash(inout Sampler s_13) {
-    uint _e3 = s_13.key;
-    s_13.key = (_e3 + 1u);
-    uint _e7 = s_13.key;
-    uint _e9 = s_13.salt;
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_13.sample_;
-    uint _e17 = s_13.place;
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
     uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
@@ -1436,9 +1448,9 @@ bool isFlat(uint i_13) {
     return (i_13 >= _e4);
 }
 
-void scatter(inout Path p_9, PairHit hit_2, Meeting m_1, Lit lit) {
+void scatter(inout Path p_11, PairHit hit_2, Meeting m_1, Lit lit) {
     vec3 hero_1 = vec3(1.0);
-    RayPair rays_2 = p_9.rays;
+    RayPair rays_2 = p_11.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     LightSample light_1 = lit.light;
     vec3 _e15 = hero_1;
@@ -1449,50 +1461,49 @@ void scatter(inout Path p_9, PairHit hit_2, Meeting m_1, Lit lit) {
     bool opaque = pick(hasMeshes, !(m_1.isClear), false);
     bool _e33 = crosses(m_1.geometric, light_1.direction, -(rays_2.direction));
     bool lightLeaks = pick(opaque, _e33, false);
-    vec4 toLight_2 = pick(lightLeaks, vec4(0.0), _e24.toLight);
+    vec4 toLight_3 = pick(lightLeaks, vec4(0.0), _e24.toLight);
     bool alone = pick(light_1.delta, true, pick((lit.shape < 0.0), (light_1.distance_ < 1e30), false));
-    float _e50 = misWeight(lit.pdf, toLight_2.w);
+    float _e50 = misWeight(lit.pdf, toLight_3.w);
     float lightWeight = (pick(alone, 1.0, _e50) / lit.pdf);
     BsdfSample bsdf = _e24.drawn;
     vec3 _e58 = toWorld(m_1.basis, bsdf.direction);
     bool _e62 = crosses(m_1.geometric, _e58, -(rays_2.direction));
     bool leaks = pick(opaque, _e62, false);
-    uint _e66 = p_9.depth;
+    uint _e66 = p_11.depth;
     uint _e69 = frame.maxDepth;
     bool goesOn = pick(!(escaped_1), (_e66 != _e69), false);
-    vec3 _e73 = p_9.throughput;
-    vec3 contribution = (((_e73 * toLight_2.xyz) * light_1.radiance) * lightWeight);
-    bool isLit = pick(pick(goesOn, (lit.pdf > 0.0), false), any(greaterThan((toLight_2.xyz * light_1.radiance), vec3(0.0))), false);
-    p_9.light = pick(isLit, contribution, vec3(0.0));
-    vec3 _e96 = p_9.throughput;
+    vec3 _e73 = p_11.throughput;
+    vec3 contribution = (((_e73 * toLight_3.xyz) * light_1.radiance) * lightWeight);
+    bool isLit = pick(pick(goesOn, (lit.pdf > 0.0), false), any(greaterThan((toLight_3.xyz * light_1.radiance), vec3(0.0))), false);
+    p_11.light = pick(isLit, contribution, vec3(0.0));
+    vec3 _e96 = p_11.throughput;
     vec3 throughput = (_e96 * bsdf.weight);
     float _e99 = max3_(throughput);
-    uint _e105 = p_9.depth;
+    uint _e105 = p_11.depth;
     float survival = pick((_e105 < rouletteDepth), 1.0, min((_e99 / 0.33333334), 0.95));
-    float _e117 = max3_(throughput);
-    float _e122 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e117 > 0.0), false), (_e122 < survival), false);
-    uint _e127 = p_9.depth;
-    p_9.depth = (_e127 + 1u);
+    float _e116 = max3_(throughput);
+    float _e121 = nextHash(p_11.sampler_);
+    bool alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e116 > 0.0), false), (_e121 < survival), false);
+    uint _e126 = p_11.depth;
+    p_11.depth = (_e126 + 1u);
     bool stays = pick(true, escaped_1, false);
-    vec3 _e135 = p_9.throughput;
-    p_9.throughput = pick(stays, _e135, (throughput / vec3(survival)));
-    float _e143 = p_9.pdf;
-    p_9.pdf = pick(stays, _e143, pick(bsdf.delta, 0.0, bsdf.pdf));
-    vec3 _e146 = litSideOf(m_1);
-    vec3 _e148 = p_9.litSide;
-    p_9.litSide = pick(stays, _e148, _e146);
-    float _e156 = p_9.odds.total;
-    p_9.odds.total = pick(stays, _e156, lit.odds.total);
-    float _e164 = p_9.odds.tree;
-    p_9.odds.tree = pick(stays, _e164, lit.odds.tree);
-    bool _e167 = isFlat(m_1.shape);
-    bool solid = !(_e167);
+    vec3 _e134 = p_11.throughput;
+    p_11.throughput = pick(stays, _e134, (throughput / vec3(survival)));
+    float _e142 = p_11.pdf;
+    p_11.pdf = pick(stays, _e142, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e145 = litSideOf(m_1);
+    vec3 _e147 = p_11.litSide;
+    p_11.litSide = pick(stays, _e147, _e145);
+    float _e155 = p_11.odds.total;
+    p_11.odds.total = pick(stays, _e155, lit.odds.total);
+    float _e163 = p_11.odds.tree;
+    p_11.odds.tree = pick(stays, _e163, lit.odds.tree);
+    bool _e166 = isFlat(m_1.shape);
+    bool solid = !(_e166);
     uint lightShape = pick((lit.shape >= 0.0), uint(max(lit.shape, 0.0)), noShape);
-    bool _e189 = p_9.alive;
-    Sampler _e208 = p_9.sampler_;
-    uint _e209 = numberOfNext(_e208);
-    p_9.rays = RayPair(pick(stays, rays_2.point, m_1.point), m_1.shape, hit_2.triangle, (1e-5 * length(m_1.point)), _e189, pick(stays, rays_2.direction, _e58), pick(solid, (dot(_e58, m_1.outward) < 0.0), false), light_1.direction, pick(solid, (dot(light_1.direction, m_1.outward) < 0.0), false), pick(isLit, light_1.distance_, -1.0), lightShape, _e209);
+    Sampler _e205 = p_11.sampler_;
+    uint _e206 = numberOfNext(_e205);
+    p_11.rays = RayPair(pick(stays, rays_2.point, m_1.point), m_1.shape, hit_2.triangle, (1e-5 * length(m_1.point)), alive, pick(stays, rays_2.direction, _e58), pick(solid, (dot(_e58, m_1.outward) < 0.0), false), light_1.direction, pick(solid, (dot(light_1.direction, m_1.outward) < 0.0), false), pick(isLit, light_1.distance_, -1.0), lightShape, _e206);
     return;
 }
 
@@ -1536,9 +1547,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_7) {
+float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_6) {
     SphereView _e3 = viewSphere(e_1, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_7, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_6, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1577,8 +1588,8 @@ QuadView viewQuad(Emitter e_2, vec3 point_2) {
     vec2 lengths = vec2(length(e_2.u), length(e_2.v));
     vec3 axisX = (e_2.u / vec3(lengths.x));
     vec3 axisY = (e_2.v / vec3(lengths.y));
-    vec3 normal_9 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_9);
+    vec3 normal_11 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_11);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit_1 = pick((abs(signedHeight) > least), pick((e_2.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1589,7 +1600,7 @@ QuadView viewQuad(Emitter e_2, vec3 point_2) {
     float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_9 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_11 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit_1, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1608,19 +1619,19 @@ BoxView viewBox(Emitter e_4, vec3 point_4) {
     return BoxView(rotation, _e8, faces_1, ((faces_1.x + faces_1.y) + faces_1.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_8, float distance_3, vec3 normal_2) {
+float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_7, float distance_3, vec3 normal_2) {
     BoxView _e5 = viewBox(e_5, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_8, normal_2))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_7, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_4, vec3 normal_3, uint place) {
+float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_8, float distance_4, vec3 normal_3, uint place) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
         if ((e_6.kind == 0.0)) {
-            float _e13 = spherePdf(e_6, point_6, direction_9);
+            float _e13 = spherePdf(e_6, point_6, direction_8);
             pdf = _e13;
         }
     }
@@ -1634,7 +1645,7 @@ float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_4, ve
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_6.kind == 2.0)) {
-            float _e25 = boxPdf(e_6, point_6, direction_9, distance_4, normal_3);
+            float _e25 = boxPdf(e_6, point_6, direction_8, distance_4, normal_3);
             pdf = _e25;
         }
     }
@@ -1642,50 +1653,54 @@ float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_4, ve
     return _e26;
 }
 
-float spotFalloff(Emitter e_7, vec3 toLight_1) {
-    float share = clamp(((-(dot(toLight_1, e_7.u)) - e_7.radius) / (e_7.cosInner - e_7.radius)), 0.0, 1.0);
+float cosineTowards(Emitter e_7, vec3 toLight_1, float grown, vec3 normal_4) {
+    float above = clamp(((dot(normal_4, toLight_1) + e_7.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
+}
+
+float spotFalloff(Emitter e_8, vec3 toLight_2) {
+    float share = clamp(((-(dot(toLight_2, e_8.u)) - e_8.radius) / (e_8.cosInner - e_8.radius)), 0.0, 1.0);
     return (share * share);
 }
 
-float estimatedIrradiance(Emitter e_8, vec3 point_7, vec3 normal_4) {
+float estimatedIrradiance(Emitter e_9, vec3 point_7, vec3 normal_5) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_8.kind == 1.0), false);
+    bool isQuad = pick(_e4, (e_9.kind == 1.0), false);
     const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_8.kind == 5.0), false);
-    vec3 middle_2 = (e_8.position + pick(isQuad, (0.5 * (e_8.u + e_8.v)), vec3(0.0)));
-    vec3 toLight_3 = pick(isFar, -(e_8.u), (middle_2 - point_7));
-    float distance2_ = dot(toLight_3, toLight_3);
+    bool isFar = pick(_e10, (e_9.kind == 5.0), false);
+    vec3 middle_2 = (e_9.position + pick(isQuad, (0.5 * (e_9.u + e_9.v)), vec3(0.0)));
+    vec3 toLight_4 = pick(isFar, -(e_9.u), (middle_2 - point_7));
+    float distance2_ = dot(toLight_4, toLight_4);
     float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_8.reach), 1e-15);
-    float above = clamp(((dot(normal_4, toLight_3) + e_8.reach) / grown), 0.0, 1.0);
-    float cosine_12 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
-    float square = pick(isQuad, (distance2_ + (e_8.area / 3.1415927)), max(distance2_, (e_8.area / 12.566371)));
-    estimate = ((e_8.power * cosine_12) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_2 = (-(dot(cross(e_8.u, e_8.v), toLight_3)) / max(e_8.area, 1e-30));
-        float side_3 = pick((e_8.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_3 > 0.0), ((side_3 + e_8.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    float grown_1 = max((distance_5 + e_9.reach), 1e-15);
+    float _e35 = cosineTowards(e_9, toLight_4, grown_1, normal_5);
+    float square = pick(isQuad, (distance2_ + (e_9.area / 3.1415927)), max(distance2_, (e_9.area / 12.566371)));
+    estimate = ((e_9.power * _e35) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e54 = hasQuadLights;
+    if (_e54) {
+        float height_2 = (-(dot(cross(e_9.u, e_9.v), toLight_4)) / max(e_9.area, 1e-30));
+        float side_3 = pick((e_9.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_3 > 0.0), ((side_3 + e_9.reach) / grown_1), 0.0);
+        float _e78 = estimate;
+        estimate = (_e78 * pick(isQuad, lampCosine, 1.0));
     }
-    const bool _e94 = hasPointLights;
-    if (_e94) {
-        float _e95 = estimate;
-        float _e100 = spotFalloff(e_8, (toLight_3 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_8.kind == 4.0), _e100, 1.0));
+    const bool _e83 = hasPointLights;
+    if (_e83) {
+        float _e84 = estimate;
+        float _e89 = spotFalloff(e_9, (toLight_4 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e84 * pick((e_9.kind == 4.0), _e89, 1.0));
     }
-    const bool _e108 = hasSky;
-    if (_e108) {
-        float _e109 = estimate;
-        estimate = pick((e_8.kind == 6.0), e_8.power, _e109);
+    const bool _e97 = hasSky;
+    if (_e97) {
+        float _e98 = estimate;
+        estimate = pick((e_9.kind == 6.0), e_9.power, _e98);
     }
-    float _e115 = estimate;
-    return _e115;
+    float _e104 = estimate;
+    return _e104;
 }
 
-float listedProbability(Emitter e_9, vec3 point_8, vec3 normal_5, Odds odds) {
+float listedProbability(Emitter e_10, vec3 point_8, vec3 normal_6, Odds odds) {
     float probability_1 = 0.0;
     uint _e6 = frame.emitterCount;
     probability_1 = float(min(_e6, 1u));
@@ -1693,7 +1708,7 @@ float listedProbability(Emitter e_9, vec3 point_8, vec3 normal_5, Odds odds) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_9, point_8, normal_5);
+            float _e18 = estimatedIrradiance(e_10, point_8, normal_6);
             probability_1 = (_e18 / max(odds.total, 1e-37));
         }
     }
@@ -1701,26 +1716,26 @@ float listedProbability(Emitter e_9, vec3 point_8, vec3 normal_5, Odds odds) {
     return _e23;
 }
 
-vec3 metLight(Path p_10, PairHit hit_3, Surface s_14, vec3 outward, Emitter only_1) {
+vec3 metLight(Path p_12, PairHit hit_3, Surface s_13, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
     uint i_16 = 0u;
     float probability_2 = 0.0;
-    vec3 direction_17 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_14.code) & 16u) != 0u), (dot(outward, direction_17) > 0.0), false);
-    int _e18 = emitterOf(s_14.code);
-    found_6 = pick(hidden, vec3(0.0), s_14.emission);
+    vec3 direction_16 = p_12.rays.direction;
+    bool hidden = pick(((uint(s_13.code) & 16u) != 0u), (dot(outward, direction_16) > 0.0), false);
+    int _e18 = emitterOf(s_13.code);
+    found_6 = pick(hidden, vec3(0.0), s_13.emission);
     uint _e28 = frame.emitterCount;
     if (pick((_e18 >= 0), (_e28 > 0u), false)) {
         i_16 = uint(max(_e18, 0));
         uint _e36 = i_16;
         Emitter _e37 = emitterAt(_e36, only_1);
-        float _e43 = shapePdf(_e37, p_10.rays.point, direction_17, hit_3.t, outward, hit_3.triangle.triangle);
-        float _e48 = listedProbability(_e37, p_10.rays.point, p_10.litSide, p_10.odds);
+        float _e43 = shapePdf(_e37, p_12.rays.point, direction_16, hit_3.t, outward, hit_3.triangle.triangle);
+        float _e48 = listedProbability(_e37, p_12.rays.point, p_12.litSide, p_12.odds);
         probability_2 = _e48;
         vec3 _e50 = found_6;
         float _e52 = probability_2;
-        float _e54 = misWeight(p_10.pdf, (_e43 * _e52));
-        found_6 = (_e50 * pick((p_10.pdf <= 0.0), 1.0, _e54));
+        float _e54 = misWeight(p_12.pdf, (_e43 * _e52));
+        found_6 = (_e50 * pick((p_12.pdf <= 0.0), 1.0, _e54));
     }
     vec3 _e61 = found_6;
     return _e61;
@@ -1748,18 +1763,18 @@ vec2 thirdOf(Groups g_2) {
     return _e12;
 }
 
-TwoPoints nextTwo3d(inout Sampler s_15) {
-    Sampler _e1 = s_15;
+TwoPoints nextTwo3d(inout Sampler s_14) {
+    Sampler _e1 = s_14;
     Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_15.key;
-    s_15.key = (_e5 + 2u);
+    uint _e5 = s_14.key;
+    s_14.key = (_e5 + 2u);
     vec2 _e8 = firstOf(_e2);
     vec2 _e9 = secondOf(_e2);
     vec2 _e10 = thirdOf(_e2);
     return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
 }
 
-EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_8) {
+EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_7, float u_8) {
     bool hasTree = false;
     EmitterChoice choice = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total = 0.0;
@@ -1781,7 +1796,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_8) {
             while(true) {
                 uint _e41 = i_17;
                 Emitter _e42 = fetchEmitter(_e41);
-                float _e43 = estimatedIrradiance(_e42, point_9, normal_6);
+                float _e43 = estimatedIrradiance(_e42, point_9, normal_7);
                 uint _e44 = i_17;
                 float weight_2 = pick((_e44 < listed), _e43, 0.0);
                 float _e48 = total;
@@ -1817,36 +1832,36 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_8) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v_6) {
-    float s_21 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (s_21 + axis.z));
+    float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (s_20 + axis.z));
     float b_8 = ((axis.x * axis.y) * a_5);
-    vec3 x_19 = vec3((1.0 + (((s_21 * axis.x) * axis.x) * a_5)), (s_21 * b_8), (-(s_21) * axis.x));
-    vec3 y_11 = vec3(b_8, (s_21 + ((axis.y * axis.y) * a_5)), -(axis.y));
+    vec3 x_19 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_5)), (s_20 * b_8), (-(s_20) * axis.x));
+    vec3 y_11 = vec3(b_8, (s_20 + ((axis.y * axis.y) * a_5)), -(axis.y));
     return (((v_6.x * x_19) + (v_6.y * y_11)) + (v_6.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_9) {
     float oneMinusCosine = (u_9.x * width_1);
-    float cosine_13 = (1.0 - oneMinusCosine);
+    float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_1 = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_1, 0.0));
     float phi_2 = (6.2831855 * u_9.y);
     vec2 turn = vec2(cos(phi_2), sin(phi_2));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn)) * turn), cosine_13));
-    return ConeDirection(_e23, cosine_13, sine2_1);
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn)) * turn), cosine_12));
+    return ConeDirection(_e23, cosine_12, sine2_1);
 }
 
-LightSample sampleSphere(Emitter e_10, vec3 point_10, vec2 u_10) {
-    SphereView _e3 = viewSphere(e_10, point_10);
+LightSample sampleSphere(Emitter e_11, vec3 point_10, vec2 u_10) {
+    SphereView _e3 = viewSphere(e_11, point_10);
     vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_10);
     float along_2 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_10.radius * e_10.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_11.radius * e_11.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger_1 = (abs(along_2) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
     float distance_6 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_10.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_11.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_14) {
@@ -1859,9 +1874,9 @@ vec2 cosineAndSine(float x_14) {
 vec3 sphericalRectangle(QuadView q_4, vec2 u_11) {
     float h_7 = q_4.height;
     vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_22 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
+    vec2 s_21 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_11.x * q_4.solidAngle))));
-    vec2 across_5 = (vec2((s_22.y - s_22.x), (s_22.y + s_22.x)) * _e21);
+    vec2 across_5 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
     float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_5), 1e-15));
     float x_20 = clamp(((h_7 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_20 * x_20) + (h_7 * h_7));
@@ -1871,17 +1886,17 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_11) {
     return (((x_20 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_11, vec3 point_11, vec2 u_12) {
-    QuadView _e3 = viewQuad(e_11, point_11);
-    vec3 onArea = ((_e3.corner + (u_12.x * e_11.u)) + (u_12.y * e_11.v));
+LightSample sampleQuad(Emitter e_12, vec3 point_11, vec2 u_12) {
+    QuadView _e3 = viewQuad(e_12, point_11);
+    vec3 onArea = ((_e3.corner + (u_12.x * e_12.u)) + (u_12.y * e_12.v));
     vec3 _e13 = sphericalRectangle(_e3, u_12);
-    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_4), _e3.height);
-    float _e23 = pdfOfView(_e3, e_11.area, distance_7);
-    return LightSample((toLight_4 / vec3(distance_7)), distance_7, e_11.radiance, _e23, false);
+    vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_5), _e3.height);
+    float _e23 = pdfOfView(_e3, e_12.area, distance_7);
+    return LightSample((toLight_5 / vec3(distance_7)), distance_7, e_12.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_12, BoxView b_3, vec2 u_13) {
+vec4 pointOnFaces(Emitter e_13, BoxView b_3, vec2 u_13) {
     float both = (b_3.faces.x + b_3.faces.y);
     float at_1 = (u_13.x * b_3.area);
     bool onX_1 = (at_1 < b_3.faces.x);
@@ -1889,9 +1904,9 @@ vec4 pointOnFaces(Emitter e_12, BoxView b_3, vec2 u_13) {
     float face = pick(onX_1, b_3.faces.x, pick(onY_1, b_3.faces.y, b_3.faces.z));
     float within_1 = clamp(((at_1 - pick(onX_1, 0.0, pick(onY_1, b_3.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_19 = vec3(pick((dot(axis_3, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_13.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_19.xyz, pick(onY_1, p_19.zxy, p_19.yzx)) * e_12.u) - b_3.point);
-    return vec4(toLight_5, abs(dot(axis_3, toLight_5)));
+    vec3 p_21 = vec3(pick((dot(axis_3, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_13.y) - 1.0));
+    vec3 toLight_6 = ((pick(onX_1, p_21.xyz, pick(onY_1, p_21.zxy, p_21.yzx)) * e_13.u) - b_3.point);
+    return vec4(toLight_6, abs(dot(axis_3, toLight_6)));
 }
 
 vec3 rotateBack(vec4 q_5, vec3 v_7) {
@@ -1899,46 +1914,46 @@ vec3 rotateBack(vec4 q_5, vec3 v_7) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_13, vec3 point_12, vec2 u_14) {
-    BoxView _e3 = viewBox(e_13, point_12);
-    vec4 _e4 = pointOnFaces(e_13, _e3, u_14);
+LightSample sampleBox(Emitter e_14, vec3 point_12, vec2 u_14) {
+    BoxView _e3 = viewBox(e_14, point_12);
+    vec4 _e4 = pointOnFaces(e_14, _e3, u_14);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_14);
     vec3 outwards_1 = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_13.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_14.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_18 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_17 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_18);
-    return LightSample(_e37, distance_8, e_13.radiance, pdf_4, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    return LightSample(_e37, distance_8, e_14.radiance, pdf_4, false);
 }
 
-LightSample samplePoint(Emitter e_14, vec3 point_13) {
-    vec3 toLight_6 = (e_14.position - point_13);
-    float distance_9 = length(toLight_6);
+LightSample samplePoint(Emitter e_15, vec3 point_13) {
+    vec3 toLight_7 = (e_15.position - point_13);
+    float distance_9 = length(toLight_7);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_9, (e_14.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_7 / vec3(safe)), distance_9, (e_15.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_15, vec3 point_14) {
-    LightSample s_16 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_15, point_14);
-    s_16 = _e2;
-    vec3 _e5 = s_16.direction;
-    float _e6 = spotFalloff(e_15, _e5);
-    vec3 _e8 = s_16.radiance;
-    s_16.radiance = (_e8 * _e6);
-    float _e12 = s_16.pdf;
-    s_16.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_16;
+LightSample sampleSpot(Emitter e_16, vec3 point_14) {
+    LightSample s_15 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_16, point_14);
+    s_15 = _e2;
+    vec3 _e5 = s_15.direction;
+    float _e6 = spotFalloff(e_16, _e5);
+    vec3 _e8 = s_15.radiance;
+    s_15.radiance = (_e8 * _e6);
+    float _e12 = s_15.pdf;
+    s_15.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_15;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_16, vec2 u_15) {
-    bool delta = (e_16.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_16.u), (e_16.area / 6.2831855), u_15);
-    return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_17, vec2 u_15) {
+    bool delta = (e_17.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_17.u), (e_17.area / 6.2831855), u_15);
+    return LightSample(_e10.direction, 1e30, e_17.radiance, pick(delta, 1.0, (1.0 / max(e_17.area, 1e-31))), delta);
 }
 
 vec4 environmentTexel(uint column_1, uint row_1) {
@@ -2067,100 +2082,100 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_3 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_19 = vec3((sine_5 * phi_3.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_5) * phi_3.x));
+    vec3 direction_18 = vec3((sine_5 * phi_3.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_5) * phi_3.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
-    return EnvironmentSample(direction_19, _e119);
+    return EnvironmentSample(direction_18, _e119);
 }
 
-vec3 sky(vec3 direction_10) {
+vec3 sky(vec3 direction_9) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_10.y, 0.0));
+    return mix(_e3, _e6, max(direction_9.y, 0.0));
 }
 
 LightSample sampleSky(vec2 u_19) {
-    EnvironmentSample s_17 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    EnvironmentSample s_16 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
     ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
-    s_17 = EnvironmentSample(_e6.direction, white0_);
+    s_16 = EnvironmentSample(_e6.direction, white0_);
     const bool _e12 = hasEnvironment;
     if (_e12) {
         EnvironmentSample _e13 = sampleEnvironment(u_19);
-        s_17 = _e13;
+        s_16 = _e13;
     }
-    vec3 _e15 = s_17.direction;
-    vec3 _e18 = s_17.light.radiance;
-    vec3 _e20 = s_17.direction;
+    vec3 _e15 = s_16.direction;
+    vec3 _e18 = s_16.light.radiance;
+    vec3 _e20 = s_16.direction;
     vec3 _e21 = sky(_e20);
-    float _e25 = s_17.light.pdf;
+    float _e25 = s_16.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_17, vec3 point_15, vec2 u_20) {
-    LightSample s_18 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+LightSample sampleEmitter(Emitter e_18, vec3 point_15, vec2 u_20) {
+    LightSample s_17 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_17.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_17, point_15, u_20);
-            s_18 = _e19;
+        if ((e_18.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_18, point_15, u_20);
+            s_17 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_17.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_17, point_15, u_20);
-            s_18 = _e25;
+        if ((e_18.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_18, point_15, u_20);
+            s_17 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_17.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_17, point_15, u_20);
-            s_18 = _e31;
+        if ((e_18.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_18, point_15, u_20);
+            s_17 = _e31;
         }
     }
     const bool _e33 = hasPointLights;
     if (_e33) {
-        if ((e_17.kind == 3.0)) {
-            LightSample _e37 = samplePoint(e_17, point_15);
-            s_18 = _e37;
+        if ((e_18.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_18, point_15);
+            s_17 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_17.kind == 4.0)) {
-            LightSample _e43 = sampleSpot(e_17, point_15);
-            s_18 = _e43;
+        if ((e_18.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_18, point_15);
+            s_17 = _e43;
         }
     }
     const bool _e45 = hasSuns;
     if (_e45) {
-        if ((e_17.kind == 5.0)) {
-            LightSample _e49 = sampleDirectional(e_17, u_20);
-            s_18 = _e49;
+        if ((e_18.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_18, u_20);
+            s_17 = _e49;
         }
     }
     const bool _e51 = hasSky;
     if (_e51) {
-        if ((e_17.kind == 6.0)) {
+        if ((e_18.kind == 6.0)) {
             LightSample _e55 = sampleSky(u_20);
-            s_18 = _e55;
+            s_17 = _e55;
         }
     }
-    float _e58 = s_18.pdf;
-    float _e60 = s_18.distance_;
-    s_18.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
-    LightSample _e67 = s_18;
+    float _e58 = s_17.pdf;
+    float _e60 = s_17.distance_;
+    s_17.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
+    LightSample _e67 = s_17;
     return _e67;
 }
 
-Lit lightAt(inout Path p_11, PairHit hit_4, Meeting m_2) {
+Lit lightAt(inout Path p_13, PairHit hit_4, Meeting m_2) {
     Emitter _e4 = fetchEmitter(0u);
-    Path _e5 = p_11;
+    Path _e5 = p_13;
     vec3 _e8 = metLight(_e5, hit_4, m_2.surface, m_2.geometric, _e4);
-    vec3 _e10 = p_11.radiance;
-    vec3 _e12 = p_11.throughput;
-    p_11.radiance = (_e10 + (_e12 * pick((hit_4.shape == noShape), vec3(0.0), _e8)));
-    TwoPoints _e22 = nextTwo3d(p_11.sampler_);
+    vec3 _e10 = p_13.radiance;
+    vec3 _e12 = p_13.throughput;
+    p_13.radiance = (_e10 + (_e12 * pick((hit_4.shape == noShape), vec3(0.0), _e8)));
+    TwoPoints _e22 = nextTwo3d(p_13.sampler_);
     vec3 _e24 = litSideOf(m_2);
     EmitterChoice _e27 = chooseEmitter(m_2.point, _e24, _e22.first.z);
     Emitter _e29 = emitterAt(_e27.index, _e4);
@@ -2168,32 +2183,32 @@ Lit lightAt(inout Path p_11, PairHit hit_4, Meeting m_2) {
     return Lit(_e33, (_e33.pdf * _e27.probability), _e29.shape, _e27.odds, _e22.second);
 }
 
-void meetSurface(inout Path p_12, PairHit hit_5) {
-    Meeting _e2 = meetingAt(p_12, hit_5);
-    p_12.escaped = (hit_5.shape == noShape);
-    Lit _e7 = lightAt(p_12, hit_5, _e2);
-    scatter(p_12, hit_5, _e2, _e7);
+void meetSurface(inout Path p_14, PairHit hit_5) {
+    Meeting _e2 = meetingAt(p_14, hit_5);
+    p_14.escaped = (hit_5.shape == noShape);
+    Lit _e7 = lightAt(p_14, hit_5, _e2);
+    scatter(p_14, hit_5, _e2, _e7);
     return;
 }
 
-void extendPath(inout Path p_13) {
-    RayPair _e2 = p_13.rays;
+void extendPath(inout Path p_15) {
+    RayPair _e2 = p_15.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_13.radiance;
-    vec3 _e7 = p_13.light;
-    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_13.rays.lightDistance = -1.0;
-    bool _e17 = p_13.alive;
-    if (_e17) {
-        meetSurface(p_13, _e3);
+    vec3 _e5 = p_15.radiance;
+    vec3 _e7 = p_15.light;
+    p_15.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_15.rays.lightDistance = -1.0;
+    bool _e18 = p_15.rays.goesOn;
+    if (_e18) {
+        meetSurface(p_15, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_14) {
-    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
+bool isOver(Path p_16) {
+    return pick(!(p_16.rays.goesOn), (p_16.rays.lightDistance < 0.0), false);
 }
 
 vec2 quadrantAngles(vec2 x_15, vec2 y_7) {
@@ -2207,16 +2222,16 @@ vec2 quadrantAngles(vec2 x_15, vec2 y_7) {
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_15));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_11) {
+EnvironmentLight lookUpEnvironment(vec3 direction_10) {
     vec2 size_3 = frame.environmentSize;
-    float sine_6 = max(length(direction_11.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_6));
-    float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
+    float sine_6 = max(length(direction_10.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_6));
+    float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
     float row_3 = floor(fromPole_1);
-    bool isLower_1 = (direction_11.y < 0.0);
+    bool isLower_1 = (direction_10.y < 0.0);
     vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_3.y - row_3), row_3));
     float within_2 = (fromPole_1 - row_3);
     vec2 at_2 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
@@ -2225,52 +2240,52 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     return _e67;
 }
 
-EnvironmentLight skyLight(vec3 direction_12) {
+EnvironmentLight skyLight(vec3 direction_11) {
     EnvironmentLight light = white0_;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_12);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_11);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_12);
+    vec3 _e8 = sky(direction_11);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight skySeen(vec3 direction_13) {
+FarLight skySeen(vec3 direction_12) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e7 = hasSky;
     if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_13);
+        EnvironmentLight _e8 = skyLight(direction_12);
         far = FarLight(_e8.radiance, _e8.pdf);
     }
     FarLight _e12 = far;
     return _e12;
 }
 
-bool isOnDisc(Emitter e_18, vec3 direction_14) {
-    vec3 chord = (direction_14 + e_18.u);
-    return ((3.1415927 * dot(chord, chord)) < e_18.area);
+bool isOnDisc(Emitter e_19, vec3 direction_13) {
+    vec3 chord = (direction_13 + e_19.u);
+    return ((3.1415927 * dot(chord, chord)) < e_19.area);
 }
 
-float directionalPdf(Emitter e_19, vec3 direction_15) {
-    bool _e7 = isOnDisc(e_19, direction_15);
-    return pick(_e7, (1.0 / max(e_19.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_20, vec3 direction_14) {
+    bool _e7 = isOnDisc(e_20, direction_14);
+    return pick(_e7, (1.0 / max(e_20.area, 1e-31)), 0.0);
 }
 
-FarLight farLight(Emitter e_20, vec3 direction_16, FarLight sky_1) {
+FarLight farLight(Emitter e_21, vec3 direction_15, FarLight sky_1) {
     FarLight far_1 = FarLight(vec3(0.0), 0.0);
     const bool _e9 = hasSuns;
     if (_e9) {
-        bool _e13 = isOnDisc(e_20, direction_16);
-        bool seen_1 = pick((e_20.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_20, direction_16);
-        far_1 = FarLight(pick(seen_1, e_20.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+        bool _e13 = isOnDisc(e_21, direction_15);
+        bool seen_1 = pick((e_21.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_21, direction_15);
+        far_1 = FarLight(pick(seen_1, e_21.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
     }
     const bool _e24 = hasSky;
     if (_e24) {
-        if ((e_20.kind == 6.0)) {
+        if ((e_21.kind == 6.0)) {
             far_1 = sky_1;
         }
     }
@@ -2278,52 +2293,77 @@ FarLight farLight(Emitter e_20, vec3 direction_16, FarLight sky_1) {
     return _e28;
 }
 
-void addSkyAndSuns(inout Path p_15) {
+float farProbability(Emitter e_22, vec3 normal_8, Odds odds_1) {
+    float probability_3 = 0.0;
+    float estimate_1 = 0.0;
+    uint _e5 = frame.emitterCount;
+    probability_3 = float(min(_e5, 1u));
+    const bool _e11 = hasManyLights;
+    if (_e11) {
+        uint _e14 = frame.emitterCount;
+        if ((_e14 > 1u)) {
+            estimate_1 = e_22.power;
+            const bool _e20 = hasSuns;
+            if (_e20) {
+                float grown_2 = max((sqrt(dot(e_22.u, e_22.u)) + e_22.reach), 1e-15);
+                float _e29 = estimate_1;
+                float _e32 = cosineTowards(e_22, -(e_22.u), grown_2, normal_8);
+                estimate_1 = (_e29 * pick((e_22.kind == 5.0), _e32, 1.0));
+            }
+            float _e39 = estimate_1;
+            probability_3 = (_e39 / max(odds_1.total, 1e-37));
+        }
+    }
+    float _e44 = probability_3;
+    return _e44;
+}
+
+void addSkyAndSuns(inout Path p_17) {
     vec3 found_7 = vec3(0.0);
     uint i_18 = 0u;
-    vec3 direction_20 = p_15.rays.direction;
-    FarLight _e4 = skySeen(direction_20);
+    vec3 direction_19 = p_17.rays.direction;
+    FarLight _e4 = skySeen(direction_19);
     while(true) {
         uint _e10 = i_18;
         Emitter _e11 = fetchEmitter(_e10);
-        FarLight _e12 = farLight(_e11, direction_20, _e4);
-        vec3 _e16 = p_15.rays.point;
-        vec3 _e18 = p_15.litSide;
-        Odds _e20 = p_15.odds;
-        float _e21 = listedProbability(_e11, _e16, _e18, _e20);
-        float pdf_5 = (_e12.pdf * _e21);
-        vec3 _e23 = found_7;
-        float _e26 = p_15.pdf;
-        float _e27 = misWeight(_e26, pdf_5);
-        float _e29 = p_15.pdf;
-        found_7 = (_e23 + (_e12.radiance * pick((_e29 <= 0.0), 1.0, _e27)));
-        uint _e37 = i_18;
-        i_18 = (_e37 + 1u);
+        FarLight _e12 = farLight(_e11, direction_19, _e4);
+        vec3 _e15 = p_17.litSide;
+        Odds _e17 = p_17.odds;
+        float _e18 = farProbability(_e11, _e15, _e17);
+        float pdf_5 = (_e12.pdf * _e18);
+        vec3 _e20 = found_7;
+        float _e23 = p_17.pdf;
+        float _e24 = misWeight(_e23, pdf_5);
+        float _e26 = p_17.pdf;
+        found_7 = (_e20 + (_e12.radiance * pick((_e26 <= 0.0), 1.0, _e24)));
+        uint _e34 = i_18;
+        i_18 = (_e34 + 1u);
+        const bool _e37 = hasSuns;
         const bool _e40 = hasManyLights;
-        if (!(_e40)) {
+        if (pick(!(_e37), true, !(_e40))) {
             break;
         }
-        uint _e42 = i_18;
-        uint _e45 = frame.farEmitters;
-        if ((_e42 >= _e45)) {
+        uint _e43 = i_18;
+        uint _e46 = frame.farEmitters;
+        if ((_e43 >= _e46)) {
             break;
         }
     }
-    vec3 _e48 = p_15.radiance;
-    vec3 _e50 = p_15.throughput;
-    vec3 _e51 = found_7;
-    p_15.radiance = (_e48 + (_e50 * _e51));
+    vec3 _e49 = p_17.radiance;
+    vec3 _e51 = p_17.throughput;
+    vec3 _e52 = found_7;
+    p_17.radiance = (_e49 + (_e51 * _e52));
     return;
 }
 
-void addFarLight(inout Path p_16) {
+void addFarLight(inout Path p_18) {
     const bool _e2 = hasSky;
     const bool _e4 = hasSuns;
     if (pick(_e2, true, _e4)) {
-        bool _e7 = p_16.escaped;
+        bool _e7 = p_18.escaped;
         uint _e10 = frame.emitterCount;
         if (pick(_e7, (_e10 > 0u), false)) {
-            addSkyAndSuns(p_16);
+            addSkyAndSuns(p_18);
             return;
         } else {
             return;
@@ -2335,13 +2375,14 @@ void addFarLight(inout Path p_16) {
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 texel = uvec2(fragment.xy);
-    uvec2 _e5 = frame.origin;
-    uint _e9 = frame.sampleIndex;
-    Path _e10 = startPath((_e5 + texel), _e9);
-    p = _e10;
+    Path _e3 = noPath();
+    p = _e3;
+    uvec2 _e7 = frame.origin;
+    uint _e11 = frame.sampleIndex;
+    startPath(p, (_e7 + texel), _e11);
     while(true) {
         extendPath(p);
         Path _e12 = p;

@@ -8,7 +8,8 @@ struct Film {
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let texel = vec2u(fragment.xy);
-  var p = startPath(frame.origin + texel, frame.sampleIndex);
+  var p = noPath();
+  startPath(&p, frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -24,8 +25,8 @@ struct Film {
 }
 
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
-// pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
-// fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
+// pixel are dealt out to several threads of one workgroup. What they bring is summed up by another pass, `addHanded`: in groups, the
+// threads' shares of each in a fixed order, and then group after group to the film. So the film is the same however many groups there are.
 // First row, columns and rows of the part of the film that is traced.
 @group(0) @binding(7) var<uniform> region: vec3u;
 
@@ -33,91 +34,113 @@ struct Film {
 
 @group(0) @binding(9) var filmSquares: texture_storage_2d<rgba32float, write>;
 
-// A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
-// are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
-// Samples of a group, which begins at a multiple of it. A dispatch touches 8 groups at most: path.ts.
-const group = 32u;
-
-// A thread's share of each group.
-var<private> ownSums: array<vec3f, 8>;
-
-var<private> ownSquares: array<vec3f, 8>;
-
-// Shares of one group, sum and squares one after the other, which a pixel's threads hand to the first of them. Not in shared memory: code
-// that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
+// Every sample of the region, those of a pixel side by side. Sums in the loop over paths, or after it, would take Windows' shader
+// compiler (FXC) a fifth longer, and a GPU too.
 @group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
+// Where the first sample of all lies, or would, for a place in the region.
+fn handedAt(inRegion: vec2u) -> u32 {
+  return (inRegion.y * region.y + inRegion.x) * frame.sampleCount - frame.sampleIndex;
+}
+
+// A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
+// are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
   let tile = frame.tile;
   let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
-  let texel = vec2u(inRegion.x, region.x + inRegion.y);
-  let pixel = frame.origin + texel;
+  let pixel = frame.origin + vec2u(inRegion.x, region.x + inRegion.y);
   let inside = all(inRegion < region.yz);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
-  let firstGroup = frame.sampleIndex / group;
+  let first = handedAt(inRegion);
   var index = frame.sampleIndex + thread % shares;
-  // Over before it has begun: a path starts at one place only, or it would stand in the program twice.
-  var p: Path;
-  p.rays.lightDistance = -1.0;
+  // A path starts at one place only, or it would stand in the program twice.
+  var p = noPath();
   loop {
     if (isOver(p)) {
       if (index >= end) {
         break;
       }
-      p = startPath(pixel, index);
+      startPath(&p, pixel, index);
     }
     extendPath(&p);
     if (isOver(p)) {
       addFarLight(&p);
-      let i = index / group - firstGroup;
-      ownSums[i] += p.radiance;
-      ownSquares[i] += p.radiance * p.radiance;
+      handed[first + index] = vec4f(p.radiance, 0.0);
       index += shares;
     }
   }
-  let adds = (thread % shares == 0u) & inside;
+}
+
+// Samples of a group, which begins at a multiple of it.
+const group = 32u;
+
+// Of each group, the samples of a thread of pathCompute one after the other, and then those sums.
+@compute @workgroup_size(8, 8) fn addHanded(@builtin(global_invocation_id) inRegion: vec3u) {
+  if (any(inRegion.xy >= region.yz)) {
+    return;
+  }
+  let texel = vec2u(inRegion.x, region.x + inRegion.y);
+  let first = handedAt(inRegion.xy);
+  let shares = frame.shares;
+  let end = frame.sampleIndex + frame.sampleCount;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
-  if (adds & (frame.sampleIndex > 0u)) {
+  if (frame.sampleIndex > 0u) {
     sum = textureLoad(previousFilm, texel, 0);
     square = textureLoad(previousSquares, texel, 0);
   }
-  let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
-  let first = (inRegion.y * region.y + inRegion.x) * shares;
-  let own = 2u * (first + thread % shares);
-  for (var g = 0u; g < groups; g++) {
-    if (inside & !adds) {
-      handed[own] = vec4f(ownSums[g], 0.0);
-      handed[own + 1u] = vec4f(ownSquares[g], 0.0);
-    }
-    storageBarrier();
-    if (adds) {
-      var groupSum = ownSums[g];
-      var groupSquare = ownSquares[g];
-      for (var i = first + 1u; i < first + shares; i++) {
-        groupSum += handed[2u * i].xyz;
-        groupSquare += handed[2u * i + 1u].xyz;
+  var begin = frame.sampleIndex;
+  while (begin < end) {
+    let groupEnd = min((begin / group + 1u) * group, end);
+    var groupSum = vec3f(0.0);
+    var groupSquare = vec3f(0.0);
+    for (var share = 0u; share < shares; share++) {
+      var ownSum = vec3f(0.0);
+      var ownSquare = vec3f(0.0);
+      for (var i = begin + (share + frame.sampleIndex - begin) % shares; i < groupEnd; i += shares) {
+        let radiance = handed[first + i].xyz;
+        ownSum += radiance;
+        ownSquare += radiance * radiance;
       }
-      sum += vec4f(groupSum, 0.0);
-      square += vec4f(groupSquare, 0.0);
+      groupSum += ownSum;
+      groupSquare += ownSquare;
     }
-    storageBarrier();
-  }
-  if (!adds) {
-    return;
+    sum += vec4f(groupSum, 0.0);
+    square += vec4f(groupSquare, 0.0);
+    begin = groupEnd;
   }
   textureStore(film, texel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
   textureStore(filmSquares, texel, square);
 }
 
-fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
-  var s = startSampler(pixel, sampleIndex, frame.seed);
-  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+// Over before it has begun.
+fn noPath() -> Path {
+  var p: Path;
+  p.rays.lightDirection = vec3f(0.0, 1.0, 0.0);
+  p.rays.lightDistance = -1.0;
+  return p;
+}
+
+// In place of a path that is over. What its first step does not ask for stays as it was: Windows' shader compiler takes the longer for a
+// loop the more values there are that one branch in it sets.
+fn startPath(p: ptr<function, Path>, pixel: vec2u, sampleIndex: u32) {
+  (*p).sampler = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&(*p).sampler));
+  let camera = cameraRay(filmPosition, lensPoint(&(*p).sampler));
+  (*p).rays.point = camera.origin;
+  (*p).rays.shape = noShape;
+  (*p).rays.left = noTriangle;
+  (*p).rays.tMin = 0.0;
+  (*p).rays.goesOn = true;
+  (*p).rays.direction = camera.direction;
+  (*p).rays.number = numberOfNext((*p).sampler);
+  (*p).light = vec3f(0.0);
+  (*p).throughput = vec3f(1.0);
+  (*p).depth = 1u;
+  (*p).radiance = vec3f(0.0);
+  (*p).pdf = 0.0;
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -137,14 +160,14 @@ fn extendPath(p: ptr<function, Path>) {
   let hit = tracePair((*p).rays);
   (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
   (*p).rays.lightDistance = -1.0;
-  if ((*p).alive) {
+  if ((*p).rays.goesOn) {
     meetSurface(p, hit);
   }
 }
 
 // Whether there is a ray left to trace.
 fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
+  return !p.rays.goesOn & (p.rays.lightDistance < 0.0);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
@@ -206,8 +229,6 @@ struct Path {
   rays: RayPair,
   // What the light ray brings to the pixel if nothing is in its way.
   light: vec3f,
-  // Whether the path's own ray goes on.
-  alive: bool,
   throughput: vec3f,
   // Whether its ray has met nothing: addFarLight.
   escaped: bool,
@@ -247,7 +268,7 @@ struct RayPair {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -280,7 +301,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
   if (hasMeshes) {
     if ((*p).escaped) {
-      (*p).alive = false;
+      (*p).rays.goesOn = false;
       return;
     }
   }
@@ -354,7 +375,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).light = select(vec3f(0.0), contribution, isLit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).depth++;
   // A ray that escaped is still asked for.
   let stays = !hasMeshes & escaped;
@@ -365,7 +386,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).odds.tree = select(lit.odds.tree, (*p).odds.tree, stays);
   let solid = !isFlat(m.shape);
   let lightShape = select(noShape, u32(max(lit.shape, 0.0)), lit.shape >= 0.0);
-  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
+  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
 }
 
 // Adds what the ray has found there by itself.
@@ -2639,7 +2660,7 @@ fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
   return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
 }
 
-// The same of one that is.
+// The same of one that is in the tree.
 fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = 0.0;
   if (frame.lightTreeDepth > 0u) {
@@ -2969,8 +2990,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let distance2 = dot(toLight, toLight);
   let distance = sqrt(distance2);
   let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let cosine = cosineTowards(e, toLight, grown, normal);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
   var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
@@ -3001,6 +3021,12 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
 override hasSuns = false;
 
 const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
 
 override hasPointLights = false;
 
@@ -4046,11 +4072,6 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
   return u;
 }
 
-// A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
@@ -4219,10 +4240,11 @@ fn addSkyAndSuns(p: ptr<function, Path>) {
   loop {
     let e = fetchEmitter(i);
     let far = farLight(e, direction, sky);
-    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    let pdf = far.pdf * farProbability(e, (*p).litSide, (*p).odds);
     found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
     i++;
-    if (!hasManyLights) {
+    // Only one of them is the sky.
+    if (!hasSuns | !hasManyLights) {
       break;
     }
     if (i >= frame.farEmitters) {
@@ -4255,6 +4277,25 @@ fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
     }
   }
   return far;
+}
+
+// The same of one that is infinitely far.
+fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var estimate = e.power;
+      if (hasSuns) {
+        let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
+        estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
+      }
+      probability = estimate / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
 }
 
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs

@@ -8,7 +8,8 @@ struct Film {
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let texel = vec2u(fragment.xy);
-  var p = startPath(frame.origin + texel, frame.sampleIndex);
+  var p = noPath();
+  startPath(&p, frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -23,12 +24,32 @@ struct Film {
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
 
-fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
-  var s = startSampler(pixel, sampleIndex, frame.seed);
-  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+// Over before it has begun.
+fn noPath() -> Path {
+  var p: Path;
+  p.rays.lightDirection = vec3f(0.0, 1.0, 0.0);
+  p.rays.lightDistance = -1.0;
+  return p;
+}
+
+// In place of a path that is over. What its first step does not ask for stays as it was: Windows' shader compiler takes the longer for a
+// loop the more values there are that one branch in it sets.
+fn startPath(p: ptr<function, Path>, pixel: vec2u, sampleIndex: u32) {
+  (*p).sampler = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&(*p).sampler));
+  let camera = cameraRay(filmPosition, lensPoint(&(*p).sampler));
+  (*p).rays.point = camera.origin;
+  (*p).rays.shape = noShape;
+  (*p).rays.left = noTriangle;
+  (*p).rays.tMin = 0.0;
+  (*p).rays.goesOn = true;
+  (*p).rays.direction = camera.direction;
+  (*p).rays.number = numberOfNext((*p).sampler);
+  (*p).light = vec3f(0.0);
+  (*p).throughput = vec3f(1.0);
+  (*p).depth = 1u;
+  (*p).radiance = vec3f(0.0);
+  (*p).pdf = 0.0;
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -48,14 +69,14 @@ fn extendPath(p: ptr<function, Path>) {
   let hit = tracePair((*p).rays);
   (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
   (*p).rays.lightDistance = -1.0;
-  if ((*p).alive) {
+  if ((*p).rays.goesOn) {
     meetSurface(p, hit);
   }
 }
 
 // Whether there is a ray left to trace.
 fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
+  return !p.rays.goesOn & (p.rays.lightDistance < 0.0);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
@@ -117,8 +138,6 @@ struct Path {
   rays: RayPair,
   // What the light ray brings to the pixel if nothing is in its way.
   light: vec3f,
-  // Whether the path's own ray goes on.
-  alive: bool,
   throughput: vec3f,
   // Whether its ray has met nothing: addFarLight.
   escaped: bool,
@@ -158,7 +177,7 @@ struct RayPair {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -191,7 +210,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
   if (hasMeshes) {
     if ((*p).escaped) {
-      (*p).alive = false;
+      (*p).rays.goesOn = false;
       return;
     }
   }
@@ -265,7 +284,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).light = select(vec3f(0.0), contribution, isLit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).depth++;
   // A ray that escaped is still asked for.
   let stays = !hasMeshes & escaped;
@@ -276,7 +295,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).odds.tree = select(lit.odds.tree, (*p).odds.tree, stays);
   let solid = !isFlat(m.shape);
   let lightShape = select(noShape, u32(max(lit.shape, 0.0)), lit.shape >= 0.0);
-  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
+  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
 }
 
 // Adds what the ray has found there by itself.
@@ -2550,7 +2569,7 @@ fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
   return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
 }
 
-// The same of one that is.
+// The same of one that is in the tree.
 fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = 0.0;
   if (frame.lightTreeDepth > 0u) {
@@ -2880,8 +2899,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let distance2 = dot(toLight, toLight);
   let distance = sqrt(distance2);
   let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let cosine = cosineTowards(e, toLight, grown, normal);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
   var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
@@ -2912,6 +2930,12 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
 override hasSuns = false;
 
 const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
 
 override hasPointLights = false;
 
@@ -3949,11 +3973,6 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
   return u;
 }
 
-// A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
@@ -4122,10 +4141,11 @@ fn addSkyAndSuns(p: ptr<function, Path>) {
   loop {
     let e = fetchEmitter(i);
     let far = farLight(e, direction, sky);
-    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    let pdf = far.pdf * farProbability(e, (*p).litSide, (*p).odds);
     found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
     i++;
-    if (!hasManyLights) {
+    // Only one of them is the sky.
+    if (!hasSuns | !hasManyLights) {
       break;
     }
     if (i >= frame.farEmitters) {
@@ -4158,6 +4178,25 @@ fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
     }
   }
   return far;
+}
+
+// The same of one that is infinitely far.
+fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var estimate = e.power;
+      if (hasSuns) {
+        let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
+        estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
+      }
+      probability = estimate / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
 }
 
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs

@@ -67,7 +67,6 @@ struct Sampler {
 struct Path {
     RayPair rays;
     vec3 light;
-    bool alive;
     vec3 throughput;
     bool escaped;
     uint depth;
@@ -601,15 +600,9 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 uniform highp sampler2D sceneTable;
 
-const bool hasMeshLamps = false;
-
 const bool hasManyLights = true;
 
-const bool hasQuadLights = false;
-
 const bool hasSuns = false;
-
-const bool hasPointLights = false;
 
 const bool hasSky = true;
 
@@ -638,13 +631,13 @@ vec3 vectorOf(uvec4 words_2) {
     return uintBitsToFloat(words_2.xyz);
 }
 
-bool isOver(Path p_3) {
-    return pick(!(p_3.alive), (p_3.rays.lightDistance < 0.0), false);
+bool isOver(Path p_4) {
+    return pick(!(p_4.rays.goesOn), (p_4.rays.lightDistance < 0.0), false);
 }
 
-uint flagsOf(Path p_4) {
-    bool _e24 = isOver(p_4);
-    return (((((pick(p_4.alive, aliveFlag, 0u) | pick(p_4.rays.inwards, inwardsFlag, 0u)) | pick(p_4.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_4.escaped, escapedFlag, 0u)) | pick(_e24, overFlag, 0u)) | (p_4.depth << depthShift));
+uint flagsOf(Path p_5) {
+    bool _e25 = isOver(p_5);
+    return (((((pick(p_5.rays.goesOn, aliveFlag, 0u) | pick(p_5.rays.inwards, inwardsFlag, 0u)) | pick(p_5.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_5.escaped, escapedFlag, 0u)) | pick(_e25, overFlag, 0u)) | (p_5.depth << depthShift));
 }
 
 uvec2 pixelOf(uvec2 texel) {
@@ -654,8 +647,8 @@ uvec2 pixelOf(uvec2 texel) {
 }
 
 uint pcg(uint x) {
-    uint s_28 = ((x * 747796405u) + 2891336453u);
-    uint w_7 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
+    uint s_27 = ((x * 747796405u) + 2891336453u);
+    uint w_7 = (((s_27 >> ((s_27 >> 28u) + 4u)) ^ s_27) * 277803737u);
     return ((w_7 >> 22u) ^ w_7);
 }
 
@@ -732,17 +725,17 @@ Sampler samplerAt(uvec2 texel_1, uint key) {
     return _e12;
 }
 
-PathWords written(Path p_5) {
-    RayPair rays_2 = p_5.rays;
+PathWords written(Path p_6) {
+    RayPair rays_2 = p_6.rays;
     uvec4 _e4 = words_1(rays_2.point, rays_2.shape);
-    uint _e6 = flagsOf(p_5);
+    uint _e6 = flagsOf(p_6);
     uvec4 _e7 = words_1(rays_2.direction, _e6);
     uvec4 _e10 = wordsOf(rays_2.lightDirection, rays_2.lightDistance);
-    uvec4 _e13 = words_1(p_5.light, rays_2.lightShape);
-    uvec4 _e16 = wordsOf(p_5.throughput, p_5.pdf);
-    uvec4 _e20 = wordsOf(p_5.litSide, p_5.odds.total);
-    uvec4 _e24 = wordsOf(p_5.radiance, p_5.odds.tree);
-    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_5.sampler_.key, 0u));
+    uvec4 _e13 = words_1(p_6.light, rays_2.lightShape);
+    uvec4 _e16 = wordsOf(p_6.throughput, p_6.pdf);
+    uvec4 _e20 = wordsOf(p_6.litSide, p_6.odds.total);
+    uvec4 _e24 = wordsOf(p_6.radiance, p_6.odds.tree);
+    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_6.sampler_.key, 0u));
 }
 
 float tMinAt(vec3 point, uint flags) {
@@ -757,9 +750,9 @@ uint numberOfNext(Sampler s_1) {
 
 Path pathAt(uvec2 texel_2) {
     uvec4 start = texelFetch(path0, ivec2(texel_2), 0);
-    uvec4 direction_22 = texelFetch(path1, ivec2(texel_2), 0);
+    uvec4 direction_21 = texelFetch(path1, ivec2(texel_2), 0);
     uvec4 _e9 = texelFetch(path2, ivec2(texel_2), 0);
-    vec4 toLight_4 = uintBitsToFloat(_e9);
+    vec4 toLight_5 = uintBitsToFloat(_e9);
     uvec4 light_1 = texelFetch(path3, ivec2(texel_2), 0);
     uvec4 _e16 = texelFetch(path4, ivec2(texel_2), 0);
     vec4 throughput_1 = uintBitsToFloat(_e16);
@@ -768,16 +761,24 @@ Path pathAt(uvec2 texel_2) {
     uvec4 _e24 = texelFetch(path6, ivec2(texel_2), 0);
     vec4 radiance_1 = uintBitsToFloat(_e24);
     uvec4 numbers = texelFetch(path7, ivec2(texel_2), 0);
-    uint flags_1 = direction_22.w;
+    uint flags_1 = direction_21.w;
     vec3 _e30 = vectorOf(start);
     bool alive = ((flags_1 & aliveFlag) != 0u);
     Sampler _e36 = samplerAt(texel_2, numbers.z);
     float _e41 = tMinAt(_e30, flags_1);
-    vec3 _e42 = vectorOf(direction_22);
+    vec3 _e42 = vectorOf(direction_21);
     uint _e54 = numberOfNext(_e36);
-    RayPair rays_3 = RayPair(_e30, start.w, LeftTriangle(numbers.x, numbers.y), _e41, alive, _e42, ((flags_1 & inwardsFlag) != 0u), toLight_4.xyz, ((flags_1 & lightInwardsFlag) != 0u), toLight_4.w, light_1.w, _e54);
+    RayPair rays_3 = RayPair(_e30, start.w, LeftTriangle(numbers.x, numbers.y), _e41, alive, _e42, ((flags_1 & inwardsFlag) != 0u), toLight_5.xyz, ((flags_1 & lightInwardsFlag) != 0u), toLight_5.w, light_1.w, _e54);
     vec3 _e56 = vectorOf(light_1);
-    return Path(rays_3, _e56, alive, throughput_1.xyz, ((flags_1 & escapedFlag) != 0u), (flags_1 >> depthShift), radiance_1.xyz, throughput_1.w, litSide.xyz, Odds(litSide.w, radiance_1.w), _e36);
+    return Path(rays_3, _e56, throughput_1.xyz, ((flags_1 & escapedFlag) != 0u), (flags_1 >> depthShift), radiance_1.xyz, throughput_1.w, litSide.xyz, Odds(litSide.w, radiance_1.w), _e36);
+}
+
+Path noPath() {
+    Path p_7 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    p_7.rays.lightDirection = vec3(0.0, 1.0, 0.0);
+    p_7.rays.lightDistance = -1.0;
+    Path _e10 = p_7;
+    return _e10;
 }
 
 float filterAxis(float u) {
@@ -887,16 +888,12 @@ vec2 next2d(inout Sampler s_4) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_22 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_22.x) > abs(p_22.y));
-    float radius_1 = pick(wide, p_22.x, p_22.y);
-    float ratio_6 = (pick(wide, p_22.y, p_22.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_25 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_25.x) > abs(p_25.y));
+    float radius_1 = pick(wide, p_25.x, p_25.y);
+    float ratio_6 = (pick(wide, p_25.y, p_25.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
-}
-
-RayPair oneRay(vec3 origin, vec3 direction, uint number) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -909,10 +906,10 @@ Bounds fetchBounds(uint i) {
     return Bounds(_e2.xyz, _e2.w);
 }
 
-float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin_1);
-    float along = dot(toCenter, direction_1);
-    vec3 across_1 = (toCenter - (along * direction_1));
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_1 = (toCenter - (along * direction));
     float discriminant = ((radius * radius) - dot(across_1, across_1));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
@@ -921,20 +918,20 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_6, uint i_1, vec2 t) {
-    bool own_4 = (i_1 == p_6.shape);
-    float pathT = pick(pick(own_4, !(p_6.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_4, !(p_6.lightInwards), false), true, (i_1 == p_6.lightShape)), 1e30, t.y);
+PairHit meet(PairHit found, RayPair p_9, uint i_1, vec2 t) {
+    bool own_4 = (i_1 == p_9.shape);
+    float pathT = pick(pick(own_4, !(p_9.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_4, !(p_9.lightInwards), false), true, (i_1 == p_9.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
-    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_6.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_9.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_7, uint i_2) {
+PairHit meetSphere(PairHit found_1, RayPair p_10, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_5 = (i_2 == p_7.shape);
-    float _e13 = intersectSphere(p_7.point, p_7.direction, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.inwards, false));
-    float _e21 = intersectSphere(p_7.point, p_7.lightDirection, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_7, i_2, vec2(_e13, _e21));
+    bool own_5 = (i_2 == p_10.shape);
+    float _e13 = intersectSphere(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.inwards, false));
+    float _e21 = intersectSphere(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_10, i_2, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -949,59 +946,59 @@ vec3 rotate(vec4 q, vec3 v_2) {
     return ((v_2 + (q.w * t_9)) + cross(q.xyz, t_9));
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_2) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2, origin_3);
-    vec3 middle = (-(origin_3) * _e3);
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_10 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_10 > tMin_1), false), t_10, 1e30));
 }
 
-float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_13 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_13);
-    vec3 toCenter_1 = (center_1 - origin_5);
-    float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_23 = ((t_11 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_23, reciprocalU)), abs(dot(p_23, reciprocalV))) <= 0.500001);
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_15 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_15);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_11 = (dot(toCenter_1, normal_15) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_26 = ((t_11 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_26, reciprocalU)), abs(dot(p_26, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_9, uint i_5) {
+PairHit meetQuad(PairHit found_3, RayPair p_12, uint i_5) {
     Bounds _e3 = fetchBounds(i_5);
     Extent _e4 = fetchExtent(i_5);
-    float _e13 = intersectQuad(p_9.point, p_9.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    float _e22 = intersectQuad(p_9.point, p_9.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    PairHit _e24 = meet(found_3, p_9, i_5, vec2(_e13, _e22));
+    float _e13 = intersectQuad(p_12.point, p_12.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    float _e22 = intersectQuad(p_12.point, p_12.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    PairHit _e24 = meet(found_3, p_12, i_5, vec2(_e13, _e22));
     return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_5, normal);
-    float t_12 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_12 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_12 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_12, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_10, uint i_6) {
+PairHit meetPlane(PairHit found_4, RayPair p_13, uint i_6) {
     Bounds _e3 = fetchBounds(i_6);
-    float _e9 = intersectPlane(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin);
-    float _e15 = intersectPlane(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin);
-    PairHit _e17 = meet(found_4, p_10, i_6, vec2(_e9, _e15));
+    float _e9 = intersectPlane(p_13.point, p_13.direction, _e3.center, _e3.radius, p_13.tMin);
+    float _e15 = intersectPlane(p_13.point, p_13.lightDirection, _e3.center, _e3.radius, p_13.tMin);
+    PairHit _e17 = meet(found_4, p_13, i_6, vec2(_e9, _e15));
     return _e17;
 }
 
@@ -1009,20 +1006,20 @@ bool isAmongInstances(uint reference) {
     return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+SlabRay slabRay(vec3 origin_6, vec3 direction_5) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_5, vec3(1e-18), lessThan(abs(direction_5), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_6) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_5, vec3(0.0))))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_4) {
     return pick((axis == 0u), v_4.yzx, pick((axis == 1u), v_4.zxy, v_4));
 }
 
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
+MeshRay meshRay(vec3 origin_7, vec3 direction_6) {
+    vec3 size_1 = abs(direction_6);
     uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+    vec3 _e16 = turnedTo(axis_3, direction_6);
+    return MeshRay(origin_7, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 vec4 larger(vec4 a, vec4 b) {
@@ -1034,9 +1031,9 @@ vec4 smaller(vec4 a_1, vec4 b_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_24 = (a_2.x * b_2.y);
+    float p_27 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_24)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_27)));
 }
 
 bool isWithin(float u_4, float v_5, float w_3) {
@@ -1135,9 +1132,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_8) {
+float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_7) {
     SphereView _e3 = viewSphere(e_2, point_2);
-    bool reached = pick(_e3.inside, true, (dot(direction_8, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_7, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1176,8 +1173,8 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     vec2 lengths = vec2(length(e_3.u), length(e_3.v));
     vec3 axisX = (e_3.u / vec3(lengths.x));
     vec3 axisY = (e_3.v / vec3(lengths.y));
-    vec3 normal_14 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_14);
+    vec3 normal_16 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_16);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit_2 = pick((abs(signedHeight) > least), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1188,7 +1185,7 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     float _e46 = stretch(high_1.x, y_9, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_16 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit_2, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1207,85 +1204,21 @@ BoxView viewBox(Emitter e_5, vec3 point_5) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_3, vec3 normal_1) {
+float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_8, float distance_3, vec3 normal_1) {
     BoxView _e5 = viewBox(e_6, point_6);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_9, normal_1))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_8, normal_1))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float spotFalloff(Emitter e_9, vec3 toLight_1) {
-    float share_1 = clamp(((-(dot(toLight_1, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
+float cosineTowards(Emitter e_9, vec3 toLight_1, float grown, vec3 normal_4) {
+    float above = clamp(((dot(normal_4, toLight_1) + e_9.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight_2) {
+    float share_1 = clamp(((-(dot(toLight_2, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share_1 * share_1);
-}
-
-float estimatedIrradiance(Emitter e_10, vec3 point_8, vec3 normal_4) {
-    float estimate = 0.0;
-    const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_10.kind == 1.0), false);
-    const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_10.kind == 5.0), false);
-    vec3 middle_2 = (e_10.position + pick(isQuad, (0.5 * (e_10.u + e_10.v)), vec3(0.0)));
-    vec3 toLight_5 = pick(isFar, -(e_10.u), (middle_2 - point_8));
-    float distance2_ = dot(toLight_5, toLight_5);
-    float distance_6 = sqrt(distance2_);
-    float grown = max((distance_6 + e_10.reach), 1e-15);
-    float above = clamp(((dot(normal_4, toLight_5) + e_10.reach) / grown), 0.0, 1.0);
-    float cosine_21 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
-    float square = pick(isQuad, (distance2_ + (e_10.area / 3.1415927)), max(distance2_, (e_10.area / 12.566371)));
-    estimate = ((e_10.power * cosine_21) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_2 = (-(dot(cross(e_10.u, e_10.v), toLight_5)) / max(e_10.area, 1e-30));
-        float side_3 = pick((e_10.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_3 > 0.0), ((side_3 + e_10.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
-    }
-    const bool _e94 = hasMeshLamps;
-    if (_e94) {
-        float alike = length(e_10.v);
-        float across_2 = -(dot(e_10.v, toLight_5));
-        float side_4 = pick((e_10.oneSided == 1.0), max(across_2, 0.0), abs(across_2));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_4 + (alike * e_10.reach)) / grown));
-        float sizeOfMesh = (distance2_ + ((e_10.area * (1.0 + (3.0 * alike))) / 12.566371));
-        float _e125 = estimate;
-        estimate = pick((e_10.kind == 7.0), (((e_10.power * cosine_21) * shown) / max(sizeOfMesh, 1e-15)), _e125);
-    }
-    const bool _e137 = hasPointLights;
-    if (_e137) {
-        float _e138 = estimate;
-        float _e143 = spotFalloff(e_10, (toLight_5 / vec3(max(distance_6, 1e-15))));
-        estimate = (_e138 * pick((e_10.kind == 4.0), _e143, 1.0));
-    }
-    const bool _e151 = hasSky;
-    if (_e151) {
-        float _e152 = estimate;
-        estimate = pick((e_10.kind == 6.0), e_10.power, _e152);
-    }
-    float _e158 = estimate;
-    return _e158;
-}
-
-float listedProbability(Emitter e_11, vec3 point_9, vec3 normal_5, Odds odds) {
-    float probability = 0.0;
-    uint _e6 = frame.emitterCount;
-    probability = float(min(_e6, 1u));
-    const bool _e12 = hasManyLights;
-    if (_e12) {
-        uint _e15 = frame.emitterCount;
-        if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_11, point_9, normal_5);
-            probability = (_e18 / max(odds.total, 1e-37));
-            const bool _e24 = hasLightTree;
-            if (_e24) {
-                float _e25 = probability;
-                probability = (_e25 * (1.0 - odds.tree));
-            }
-        }
-    }
-    float _e30 = probability;
-    return _e30;
 }
 
 LightNode fetchLightNode(uint i_13) {
@@ -1312,13 +1245,13 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
+vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_7) {
     vec4 x_20 = (n.x - vec4(point_10.x));
     vec4 y_10 = (n.y - vec4(point_10.y));
     vec4 z_3 = (n.z - vec4(point_10.z));
-    vec4 distance2_1 = (((x_20 * x_20) + (y_10 * y_10)) + (z_3 * z_3));
-    vec4 inverse_2 = inversesqrt(max(distance2_1, vec4(1e-30)));
-    bvec4 inside_2 = lessThanEqual(distance2_1, (n.reach * n.reach));
+    vec4 distance2_ = (((x_20 * x_20) + (y_10 * y_10)) + (z_3 * z_3));
+    vec4 inverse_2 = inversesqrt(max(distance2_, vec4(1e-30)));
+    bvec4 inside_2 = lessThanEqual(distance2_, (n.reach * n.reach));
     vec4 sinB_1 = min((n.reach * inverse_2), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_2);
@@ -1330,13 +1263,13 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_2);
-    vec4 cosN = clamp(((((normal_6.x * x_20) + (normal_6.y * y_10)) + (normal_6.z * z_3)) * inverse_2), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_10)) + (normal_7.z * z_3)) * inverse_2), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_2);
-    vec4 cosIn = pick((dot(normal_6, normal_6) == 0.0), vec4(1.0), above_1);
-    vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
-    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
+    vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_1);
+    vec4 estimate_2 = (((n.power * cosOut) * cosIn) / max(max(distance2_, (n.reach * n.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_2, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
 
 float shareOfTree(float total, float far) {
@@ -1344,7 +1277,7 @@ float shareOfTree(float total, float far) {
     return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_2));
 }
 
-TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_1) {
+TreeChoice descend(vec3 point_11, vec3 normal_8, float u_5, int leaf, float far_1) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -1358,7 +1291,7 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_7);
+        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_8);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -1397,11 +1330,11 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
     return _e129;
 }
 
-float treeProbability(Emitter e_12, vec3 point_12, vec3 normal_8, Odds odds_1) {
+float treeProbability(Emitter e_13, vec3 point_12, vec3 normal_9, Odds odds_1) {
     float probability_1 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_12, normal_8, 0.0, int(max(e_12.leaf, 0.0)), odds_1.total);
+        TreeChoice _e17 = descend(point_12, normal_9, 0.0, int(max(e_13.leaf, 0.0)), odds_1.total);
         probability_1 = (_e17.probability * _e17.share);
     }
     float _e21 = probability_1;
@@ -1435,91 +1368,15 @@ vec2 thirdOf(Groups g_2) {
     return _e12;
 }
 
-TwoPoints nextTwo3d(inout Sampler s_8) {
-    Sampler _e1 = s_8;
+TwoPoints nextTwo3d(inout Sampler s_7) {
+    Sampler _e1 = s_7;
     Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_8.key;
-    s_8.key = (_e5 + 2u);
+    uint _e5 = s_7.key;
+    s_7.key = (_e5 + 2u);
     vec2 _e8 = firstOf(_e2);
     vec2 _e9 = secondOf(_e2);
     vec2 _e10 = thirdOf(_e2);
     return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
-}
-
-EmitterChoice chooseEmitter(vec3 point_13, vec3 normal_9, float u_6) {
-    bool hasTree = false;
-    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
-    float total_1 = 0.0;
-    uint chosen = 0u;
-    float chosenWeight = 0.0;
-    float rest_1 = 0.0;
-    uint i_15 = 0u;
-    const bool _e6 = hasLightTree;
-    if (_e6) {
-        uint _e9 = frame.lightTreeDepth;
-        hasTree = (_e9 > 0u);
-    }
-    uint _e14 = frame.emitterCount;
-    uint _e17 = frame.farEmitters;
-    bool _e18 = hasTree;
-    uint listed = pick(_e18, _e17, _e14);
-    uint _e23 = frame.emitterCount;
-    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
-    const bool _e33 = hasManyLights;
-    if (_e33) {
-        uint _e36 = frame.emitterCount;
-        if ((_e36 > 1u)) {
-            rest_1 = u_6;
-            while(true) {
-                uint _e48 = i_15;
-                Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_13, normal_9);
-                uint _e51 = i_15;
-                float weight_1 = pick((_e51 < listed), _e50, 0.0);
-                float _e55 = total_1;
-                total_1 = (_e55 + weight_1);
-                float _e57 = total_1;
-                float share_3 = (weight_1 / max(_e57, 1e-37));
-                float _e61 = rest_1;
-                bool take = (_e61 < share_3);
-                uint _e63 = chosen;
-                uint _e64 = i_15;
-                chosen = pick(take, _e64, _e63);
-                float _e66 = chosenWeight;
-                chosenWeight = pick(take, weight_1, _e66);
-                float _e68 = rest_1;
-                float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_3, 1e-37)), ((_e68 - share_3) / max((1.0 - share_3), 1e-7)));
-                uint _e81 = i_15;
-                i_15 = (_e81 + 1u);
-                uint _e83 = i_15;
-                if ((_e83 >= listed)) {
-                    break;
-                }
-            }
-            uint _e85 = chosen;
-            float _e86 = chosenWeight;
-            float _e87 = total_1;
-            float _e91 = total_1;
-            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
-            const bool _e96 = hasLightTree;
-            if (_e96) {
-                bool _e97 = hasTree;
-                if (_e97) {
-                    float _e98 = rest_1;
-                    float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_13, normal_9, _e98, -1, _e100);
-                    choice_1.odds.tree = _e101.share;
-                    uint _e106 = chosen;
-                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
-                    float _e112 = choice_1.probability;
-                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
-                }
-            }
-        }
-    }
-    EmitterChoice _e122 = choice_1;
-    return _e122;
 }
 
 vec3 litSideOf(Meeting m) {
@@ -1527,36 +1384,36 @@ vec3 litSideOf(Meeting m) {
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_29 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_6 = (-1.0 / (s_29 + axis_1.z));
+    float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_6 = (-1.0 / (s_28 + axis_1.z));
     float b_9 = ((axis_1.x * axis_1.y) * a_6);
-    vec3 x_21 = vec3((1.0 + (((s_29 * axis_1.x) * axis_1.x) * a_6)), (s_29 * b_9), (-(s_29) * axis_1.x));
-    vec3 y_11 = vec3(b_9, (s_29 + ((axis_1.y * axis_1.y) * a_6)), -(axis_1.y));
+    vec3 x_21 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_6)), (s_28 * b_9), (-(s_28) * axis_1.x));
+    vec3 y_11 = vec3(b_9, (s_28 + ((axis_1.y * axis_1.y) * a_6)), -(axis_1.y));
     return (((v_6.x * x_21) + (v_6.y * y_11)) + (v_6.z * axis_1));
 }
 
 ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
     float oneMinusCosine = (u_7.x * width_1);
-    float cosine_22 = (1.0 - oneMinusCosine);
+    float cosine_21 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_2 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_7.y);
     vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_2 / length(turn)) * turn), cosine_22));
-    return ConeDirection(_e23, cosine_22, sine2_);
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_2 / length(turn)) * turn), cosine_21));
+    return ConeDirection(_e23, cosine_21, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_14, vec2 u_8) {
-    SphereView _e3 = viewSphere(e_13, point_14);
+LightSample sampleSphere(Emitter e_14, vec3 point_14, vec2 u_8) {
+    SphereView _e3 = viewSphere(e_14, point_14);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_2 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_14.radius * e_14.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger_1 = (abs(along_2) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
-    float distance_7 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
+    float distance_6 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_14.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_15) {
@@ -1569,10 +1426,10 @@ vec2 cosineAndSine(float x_15) {
 vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     float h_7 = q_3.height;
     vec2 y_12 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_30 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
+    vec2 s_29 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_9.x * q_3.solidAngle))));
-    vec2 across_3 = (vec2((s_30.y - s_30.x), (s_30.y + s_30.x)) * _e21);
-    float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
+    vec2 across_2 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
+    float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_2), 1e-15));
     float x_22 = clamp(((h_7 * w_8) * inversesqrt(max((1.0 - (w_8 * w_8)), 1e-12))), q_3.low.x, q_3.high.x);
     float d2_ = ((x_22 * x_22) + (h_7 * h_7));
     vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
@@ -1581,17 +1438,17 @@ vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     return (((x_22 * q_3.axisX) + (atY * q_3.axisY)) + (h_7 * q_3.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_15, vec2 u_10) {
-    QuadView _e3 = viewQuad(e_14, point_15);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_14.u)) + (u_10.y * e_14.v));
+LightSample sampleQuad(Emitter e_15, vec3 point_15, vec2 u_10) {
+    QuadView _e3 = viewQuad(e_15, point_15);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_15.u)) + (u_10.y * e_15.v));
     vec3 _e13 = sphericalRectangle(_e3, u_10);
     vec3 toLight_6 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_6), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_8);
-    return LightSample((toLight_6 / vec3(distance_8)), distance_8, e_14.radiance, _e23, false);
+    float distance_7 = max(length(toLight_6), _e3.height);
+    float _e23 = pdfOfView(_e3, e_15.area, distance_7);
+    return LightSample((toLight_6 / vec3(distance_7)), distance_7, e_15.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
+vec4 pointOnFaces(Emitter e_16, BoxView b_3, vec2 u_11) {
     float both = (b_3.faces.x + b_3.faces.y);
     float at_3 = (u_11.x * b_3.area);
     bool onX = (at_3 < b_3.faces.x);
@@ -1599,8 +1456,8 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
     float face = pick(onX, b_3.faces.x, pick(onY, b_3.faces.y, b_3.faces.z));
     float within_1 = clamp(((at_3 - pick(onX, 0.0, pick(onY, b_3.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p_25 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_7 = ((pick(onX, p_25.xyz, pick(onY, p_25.zxy, p_25.yzx)) * e_15.u) - b_3.point);
+    vec3 p_28 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_7 = ((pick(onX, p_28.xyz, pick(onY, p_28.zxy, p_28.yzx)) * e_16.u) - b_3.point);
     return vec4(toLight_7, abs(dot(axis_5, toLight_7)));
 }
 
@@ -1609,19 +1466,19 @@ vec3 rotateBack(vec4 q_4, vec3 v_7) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_16, vec2 u_12) {
-    BoxView _e3 = viewBox(e_16, point_16);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_12);
+LightSample sampleBox(Emitter e_17, vec3 point_16, vec2 u_12) {
+    BoxView _e3 = viewBox(e_17, point_16);
+    vec4 _e4 = pointOnFaces(e_17, _e3, u_12);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
-    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_23 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_17.u);
+    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_23);
-    return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
+    return LightSample(_e37, distance_8, e_17.radiance, pdf_3, false);
 }
 
 vec2 weightsOnTriangle(vec2 u_14) {
@@ -1630,8 +1487,8 @@ vec2 weightsOnTriangle(vec2 u_14) {
     return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
 }
 
-vec3 outOfMesh(Instance i_16, vec3 p_14) {
-    vec3 q_7 = (p_14 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
+vec3 outOfMesh(Instance i_16, vec3 p_17) {
+    vec3 q_7 = (p_17 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
     vec3 x_23 = cross(i_16.toMeshY.xyz, i_16.toMeshZ.xyz);
     vec3 y_13 = cross(i_16.toMeshZ.xyz, i_16.toMeshX.xyz);
     vec3 z_5 = cross(i_16.toMeshX.xyz, i_16.toMeshY.xyz);
@@ -1647,31 +1504,31 @@ Surface fetchSurface(uint i_18) {
     return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
-LightSample samplePoint(Emitter e_19, vec3 point_18) {
-    vec3 toLight_8 = (e_19.position - point_18);
-    float distance_10 = length(toLight_8);
-    float safe = max(distance_10, 1e-15);
-    return LightSample((toLight_8 / vec3(safe)), distance_10, (e_19.radiance / vec3((safe * safe))), pick((distance_10 > 1e-15), 1.0, 0.0), true);
+LightSample samplePoint(Emitter e_20, vec3 point_18) {
+    vec3 toLight_8 = (e_20.position - point_18);
+    float distance_9 = length(toLight_8);
+    float safe = max(distance_9, 1e-15);
+    return LightSample((toLight_8 / vec3(safe)), distance_9, (e_20.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_20, vec3 point_19) {
-    LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_20, point_19);
-    s_9 = _e2;
-    vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_20, _e5);
-    vec3 _e8 = s_9.radiance;
-    s_9.radiance = (_e8 * _e6);
-    float _e12 = s_9.pdf;
-    s_9.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_9;
+LightSample sampleSpot(Emitter e_21, vec3 point_19) {
+    LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_21, point_19);
+    s_8 = _e2;
+    vec3 _e5 = s_8.direction;
+    float _e6 = spotFalloff(e_21, _e5);
+    vec3 _e8 = s_8.radiance;
+    s_8.radiance = (_e8 * _e6);
+    float _e12 = s_8.pdf;
+    s_8.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_8;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
-    bool delta = (e_21.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_21.u), (e_21.area / 6.2831855), u_16);
-    return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_22, vec2 u_16) {
+    bool delta = (e_22.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_16);
+    return LightSample(_e10.direction, 1e30, e_22.radiance, pick(delta, 1.0, (1.0 / max(e_22.area, 1e-31))), delta);
 }
 
 vec4 environmentTexel(uint column_1, uint row_10) {
@@ -1800,31 +1657,31 @@ EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_24 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    vec3 direction_23 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_4);
-    return EnvironmentSample(direction_24, _e119);
+    return EnvironmentSample(direction_23, _e119);
 }
 
-vec3 sky(vec3 direction_12) {
+vec3 sky(vec3 direction_11) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
+    return mix(_e3, _e6, max(direction_11.y, 0.0));
 }
 
 LightSample sampleSky(vec2 u_20) {
-    EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    EnvironmentSample s_9 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
     ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
-    s_10 = EnvironmentSample(_e6.direction, white);
+    s_9 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
         EnvironmentSample _e13 = sampleEnvironment(u_20);
-        s_10 = _e13;
+        s_9 = _e13;
     }
-    vec3 _e15 = s_10.direction;
-    vec3 _e18 = s_10.light.radiance;
-    vec3 _e20 = s_10.direction;
+    vec3 _e15 = s_9.direction;
+    vec3 _e18 = s_9.light.radiance;
+    vec3 _e20 = s_9.direction;
     vec3 _e21 = sky(_e20);
-    float _e25 = s_10.light.pdf;
+    float _e25 = s_9.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
@@ -1834,15 +1691,15 @@ bool isPlane(uint i_19) {
     return pick((i_19 >= _e4), (i_19 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_9, vec3 direction_13, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_9, direction_13, halfSize_2);
+vec3 boxNormal(vec3 origin_8, vec3 direction_12, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_8, direction_12, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_14 = pick(entering, _e5.near, _e5.far);
-    vec3 side_5 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_13, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_12, vec3(0.0))));
     bool onX_1 = (crossed.x == t_14);
     bool onY_1 = pick(!(onX_1), (crossed.y == t_14), false);
-    return (side_5 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
+    return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
 bool isBox(uint i_20) {
@@ -1872,10 +1729,10 @@ Layers fetchLayers(uint i_23) {
 }
 
 vec3 fromOctahedral(uint code_5) {
-    vec2 p_26 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_6 = ((1.0 - abs(p_26.x)) - abs(p_26.y));
-    vec2 folded = ((vec2(1.0) - abs(p_26.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_26, vec2(0.0))));
-    return normalize(vec3(pick((z_6 < 0.0), folded, p_26), z_6));
+    vec2 p_29 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_6 = ((1.0 - abs(p_29.x)) - abs(p_29.y));
+    vec2 folded = ((vec2(1.0) - abs(p_29.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_29, vec2(0.0))));
+    return normalize(vec3(pick((z_6 < 0.0), folded, p_29), z_6));
 }
 
 bool isSmooth(uint code_6) {
@@ -1885,8 +1742,8 @@ bool isSmooth(uint code_6) {
 vec3 bent(vec3 g_3, vec3 o_1, vec3 n_1) {
     float oz = max(dot(o_1, g_3), 0.0);
     float least_1 = min((0.9 * oz), 0.01);
-    vec3 across_4 = (n_1 - (dot(n_1, g_3) * g_3));
-    vec3 x_24 = (across_4 * inversesqrt(max(dot(across_4, across_4), 1e-20)));
+    vec3 across_3 = (n_1 - (dot(n_1, g_3) * g_3));
+    vec3 x_24 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
     float ox = dot(o_1, x_24);
     float a_7 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_10 = (2.0 * (a_7 + (oz * least_1)));
@@ -1898,41 +1755,41 @@ vec3 bent(vec3 g_3, vec3 o_1, vec3 n_1) {
     return pick((dot(g_3, reflected) >= least_1), n_1, raised);
 }
 
-vec3 validNormal(vec3 geometric, vec3 direction_14, vec3 mapped, vec3 otherwise) {
+vec3 validNormal(vec3 geometric, vec3 direction_13, vec3 mapped, vec3 otherwise) {
     float size_5 = dot(mapped, mapped);
     vec3 n_4 = pick((size_5 > 0.0), (mapped * inversesqrt(max(size_5, 1e-37))), otherwise);
-    float side_6 = pick((dot(geometric, direction_14) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_6 * geometric), -(direction_14), (side_6 * n_4));
-    return (side_6 * _e21);
+    float side_4 = pick((dot(geometric, direction_13) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_4 * geometric), -(direction_13), (side_4 * n_4));
+    return (side_4 * _e21);
 }
 
-vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_15, bool isClear) {
-    bool agree = ((dot(geometric_1, direction_15) > 0.0) == (dot(shading, direction_15) > 0.0));
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_14, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_14) > 0.0) == (dot(shading, direction_14) > 0.0));
     return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
-vec3 tangentAbout(vec3 normal_11) {
-    vec3 east = vec3(normal_11.z, 0.0, -(normal_11.x));
+vec3 tangentAbout(vec3 normal_12) {
+    vec3 east = vec3(normal_12.z, 0.0, -(normal_12.x));
     float length2_ = dot(east, east);
     return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
 }
 
-vec3 grainAt(vec3 normal_12, vec3 tangent, vec3 bitangent, vec2 grain) {
-    vec3 along_3 = (tangent - (dot(tangent, normal_12) * normal_12));
+vec3 grainAt(vec3 normal_13, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_3 = (tangent - (dot(tangent, normal_13) * normal_13));
     float size_6 = dot(along_3, along_3);
     bool own_7 = (size_6 > (1e-12 * dot(tangent, tangent)));
-    vec3 _e12 = tangentAbout(normal_12);
+    vec3 _e12 = tangentAbout(normal_13);
     vec3 t_15 = pick(own_7, (along_3 * inversesqrt(max(size_6, 1e-37))), _e12);
-    vec3 across_5 = cross(normal_12, t_15);
-    float hand = pick(pick(own_7, (dot(across_5, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_15) + ((grain.y * hand) * across_5));
+    vec3 across_4 = cross(normal_13, t_15);
+    float hand = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    return ((grain.x * t_15) + ((grain.y * hand) * across_4));
 }
 
 Basis basisAbout(vec3 n_2) {
-    float side_7 = pick((n_2.z >= 0.0), 1.0, -1.0);
-    float a_8 = (-1.0 / (side_7 + n_2.z));
+    float side_5 = pick((n_2.z >= 0.0), 1.0, -1.0);
+    float a_8 = (-1.0 / (side_5 + n_2.z));
     float b_11 = ((n_2.x * n_2.y) * a_8);
-    return Basis(vec3((1.0 + (((side_7 * n_2.x) * n_2.x) * a_8)), (side_7 * b_11), (-(side_7) * n_2.x)), vec3(b_11, (side_7 + ((n_2.y * n_2.y) * a_8)), -(n_2.y)), n_2);
+    return Basis(vec3((1.0 + (((side_5 * n_2.x) * n_2.x) * a_8)), (side_5 * b_11), (-(side_5) * n_2.x)), vec3(b_11, (side_5 + ((n_2.y * n_2.y) * a_8)), -(n_2.y)), n_2);
 }
 
 Basis basisAlong(vec3 n_3, vec3 x_16) {
@@ -1956,21 +1813,21 @@ float coatReflectance(float coat, float cosine_2) {
 }
 
 vec3 heroColor(vec3 throughput, float u_22) {
-    vec3 share_4 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_22 < share_4.x);
-    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_4.x + share_4.y)), false), (share_4.z > 0.0), false);
+    vec3 share_3 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_22 < share_3.x);
+    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_3.x + share_3.y)), false), (share_3.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_4), 1e-6)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_3), 1e-6)));
 }
 
-float nextHash(inout Sampler s_13) {
-    uint _e3 = s_13.key;
-    s_13.key = (_e3 + 1u);
-    uint _e7 = s_13.key;
-    uint _e9 = s_13.salt;
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_13.sample_;
-    uint _e17 = s_13.place;
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
     uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
@@ -1981,8 +1838,8 @@ vec2 ellipticAlpha(float alpha, float strength) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_8 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_8 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_6 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_6 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 float greatest(vec3 v_10) {
@@ -2043,8 +1900,8 @@ float indexRatio(float eta_2, float z_1, bool thin) {
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
-    float s_31 = (1.0 + length(wo.xy));
-    float s2_ = (s_31 * s_31);
+    float s_30 = (1.0 + length(wo.xy));
+    float s2_ = (s_30 * s_30);
     float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
@@ -2070,9 +1927,9 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
 }
 
 vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_25) {
-    float side_9 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_9), max(alpha_5, 0.001), o_3.bound, u_25);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
+    float side_7 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_7), max(alpha_5, 0.001), o_3.bound, u_25);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_7);
 }
 
 vec3 conductorFresnel(float cosine_11, vec3 eta_3, vec3 k_1) {
@@ -2087,11 +1944,11 @@ vec3 conductorFresnel(float cosine_11, vec3 eta_3, vec3 k_1) {
     vec3 b2_ = ((b_12 * b_12) + vec3(1e-20));
     vec3 acrossFar = (a_9 + vec3(cosine_11));
     vec3 acrossNear = (a_9 - vec3(cosine_11));
-    vec3 across_6 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
     vec3 alongFar = ((a_9 * cosine_11) + vec3(sine2_2));
     vec3 alongNear = ((a_9 * cosine_11) - vec3(sine2_2));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_6) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+    return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
 vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_12) {
@@ -2103,9 +1960,9 @@ vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_1
 float dielectricFresnel(float cosine_13, float ratio_2) {
     float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
     float inside_3 = sqrt(max(inside2_, 0.0));
-    float across_7 = ((cosine_13 - inside_3) / (cosine_13 + inside_3));
+    float across_6 = ((cosine_13 - inside_3) / (cosine_13 + inside_3));
     float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_3) / (((ratio_2 * ratio_2) * cosine_13) + inside_3));
-    return pick((inside2_ > 0.0), (0.5 * ((across_7 * across_7) + (along_4 * along_4))), 1.0);
+    return pick((inside2_ > 0.0), (0.5 * ((across_6 * across_6) + (along_4 * along_4))), 1.0);
 }
 
 float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
@@ -2114,14 +1971,14 @@ float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
-    float cosine_23 = dot(wo_3, h_2);
-    float inside_4 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_23 * cosine_23)), 0.0));
-    return ((((cosine_23 - inside_4) * h_2) - wo_3) / vec3(ratio_5));
+    float cosine_22 = dot(wo_3, h_2);
+    float inside_4 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_22 * cosine_22)), 0.0));
+    return ((((cosine_22 - inside_4) * h_2) - wo_3) / vec3(ratio_5));
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_32 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_32 * s_32);
+    float s_31 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_31 * s_31);
     float least_2 = min(alpha_6.x, alpha_6.y);
     float a2_2 = (least_2 * least_2);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
@@ -2161,8 +2018,8 @@ bool hidesApart(uint code_11) {
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     float pdf_4 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_4 > 0.0), (value_1.xyz / vec3(max(pdf_4, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_4), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+    vec3 weight_1 = pick((pdf_4 > 0.0), (value_1.xyz / vec3(max(pdf_4, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_4), pick(drawn_2.delta, drawn_2.weight, weight_1), drawn_2.delta);
 }
 
 float ellipticDensity(vec3 h_5, vec2 alpha_10) {
@@ -2180,9 +2037,9 @@ vec3 sensitivity(float difference, vec3 shift) {
     float phase = (6.2831855e-9 * difference);
     vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
     vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_3 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 height_2 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_3 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    vec4 lobes = ((height_2 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
     float x_26 = (lobes.x + lobes.w);
     return vec3((((3.2404542 * x_26) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_26) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_26) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
@@ -2233,8 +2090,8 @@ float shadowingExponent(float x_17, float alpha_11) {
     float b_13 = mix(3.82987, 3.32435, m_4);
     float c_6 = mix(0.19823, 0.16801, m_4);
     float d_3 = mix(-1.9776, -1.27393, m_4);
-    float e_26 = mix(-4.32054, -4.85967, m_4);
-    return (((a_10 / (1.0 + (b_13 * pow(x_17, c_6)))) + (d_3 * x_17)) + e_26);
+    float e_28 = mix(-4.32054, -4.85967, m_4);
+    return (((a_10 / (1.0 + (b_13 * pow(x_17, c_6)))) + (d_3 * x_17)) + e_28);
 }
 
 float sheenShadowing(float cosine_19, float alpha_12) {
@@ -2278,24 +2135,24 @@ bool isFlat(uint i_25) {
 vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
     vec2 low_6 = min(x_18, y_7);
     vec2 high_4 = max(x_18, y_7);
-    bvec2 middle_3 = greaterThan(low_6, (0.41421357 * high_4));
-    vec2 r_7 = (mix(low_6, (low_6 - high_4), middle_3) / max(mix(high_4, (low_6 + high_4), middle_3), vec2(1e-30)));
+    bvec2 middle_2 = greaterThan(low_6, (0.41421357 * high_4));
+    vec2 r_7 = (mix(low_6, (low_6 - high_4), middle_2) / max(mix(high_4, (low_6 + high_4), middle_2), vec2(1e-30)));
     vec2 z_7 = (r_7 * r_7);
     vec2 series_1 = ((((((0.080537446 * z_7) - vec2(0.13877685)) * z_7) + vec2(0.19977711)) * z_7) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_7) * r_7) + r_7));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_2) + (((series_1 * z_7) * r_7) + r_7));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_18));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_16) {
+EnvironmentLight lookUpEnvironment(vec3 direction_15) {
     vec2 size_7 = frame.environmentSize;
-    float sine_7 = max(length(direction_16.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_16.z, direction_16.y)), vec2(abs(direction_16.x), sine_7));
-    float turn_1 = (pick((direction_16.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_16.x < 0.0), -1.0, 1.0));
+    float sine_7 = max(length(direction_15.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_15.z, direction_15.y)), vec2(abs(direction_15.x), sine_7));
+    float turn_1 = (pick((direction_15.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_15.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
     float row_12 = floor(fromPole_1);
-    bool isLower_1 = (direction_16.y < 0.0);
+    bool isLower_1 = (direction_15.y < 0.0);
     vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_7.y - row_12), row_12));
     float within_3 = (fromPole_1 - row_12);
     vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
@@ -2304,52 +2161,52 @@ EnvironmentLight lookUpEnvironment(vec3 direction_16) {
     return _e67;
 }
 
-EnvironmentLight skyLight(vec3 direction_17) {
+EnvironmentLight skyLight(vec3 direction_16) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_17);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_16);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_17);
+    vec3 _e8 = sky(direction_16);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight skySeen(vec3 direction_18) {
+FarLight skySeen(vec3 direction_17) {
     FarLight far_2 = FarLight(vec3(0.0), 0.0);
     const bool _e7 = hasSky;
     if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_18);
+        EnvironmentLight _e8 = skyLight(direction_17);
         far_2 = FarLight(_e8.radiance, _e8.pdf);
     }
     FarLight _e12 = far_2;
     return _e12;
 }
 
-bool isOnDisc(Emitter e_23, vec3 direction_19) {
-    vec3 chord = (direction_19 + e_23.u);
-    return ((3.1415927 * dot(chord, chord)) < e_23.area);
+bool isOnDisc(Emitter e_24, vec3 direction_18) {
+    vec3 chord = (direction_18 + e_24.u);
+    return ((3.1415927 * dot(chord, chord)) < e_24.area);
 }
 
-float directionalPdf(Emitter e_24, vec3 direction_20) {
-    bool _e7 = isOnDisc(e_24, direction_20);
-    return pick(_e7, (1.0 / max(e_24.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_25, vec3 direction_19) {
+    bool _e7 = isOnDisc(e_25, direction_19);
+    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
 }
 
-FarLight farLight(Emitter e_25, vec3 direction_21, FarLight sky_1) {
+FarLight farLight(Emitter e_26, vec3 direction_20, FarLight sky_1) {
     FarLight far_3 = FarLight(vec3(0.0), 0.0);
     const bool _e9 = hasSuns;
     if (_e9) {
-        bool _e13 = isOnDisc(e_25, direction_21);
-        bool seen_1 = pick((e_25.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_25, direction_21);
-        far_3 = FarLight(pick(seen_1, e_25.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+        bool _e13 = isOnDisc(e_26, direction_20);
+        bool seen_1 = pick((e_26.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_26, direction_20);
+        far_3 = FarLight(pick(seen_1, e_26.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
     }
     const bool _e24 = hasSky;
     if (_e24) {
-        if ((e_25.kind == 6.0)) {
+        if ((e_26.kind == 6.0)) {
             far_3 = sky_1;
         }
     }
@@ -2357,52 +2214,82 @@ FarLight farLight(Emitter e_25, vec3 direction_21, FarLight sky_1) {
     return _e28;
 }
 
-void addSkyAndSuns(inout Path p_20) {
+float farProbability(Emitter e_27, vec3 normal_14, Odds odds_2) {
+    float probability_4 = 0.0;
+    float estimate_1 = 0.0;
+    uint _e5 = frame.emitterCount;
+    probability_4 = float(min(_e5, 1u));
+    const bool _e11 = hasManyLights;
+    if (_e11) {
+        uint _e14 = frame.emitterCount;
+        if ((_e14 > 1u)) {
+            estimate_1 = e_27.power;
+            const bool _e20 = hasSuns;
+            if (_e20) {
+                float grown_1 = max((sqrt(dot(e_27.u, e_27.u)) + e_27.reach), 1e-15);
+                float _e29 = estimate_1;
+                float _e32 = cosineTowards(e_27, -(e_27.u), grown_1, normal_14);
+                estimate_1 = (_e29 * pick((e_27.kind == 5.0), _e32, 1.0));
+            }
+            float _e39 = estimate_1;
+            probability_4 = (_e39 / max(odds_2.total, 1e-37));
+            const bool _e45 = hasLightTree;
+            if (_e45) {
+                float _e46 = probability_4;
+                probability_4 = (_e46 * (1.0 - odds_2.tree));
+            }
+        }
+    }
+    float _e51 = probability_4;
+    return _e51;
+}
+
+void addSkyAndSuns(inout Path p_23) {
     vec3 found_9 = vec3(0.0);
     uint i_26 = 0u;
-    vec3 direction_25 = p_20.rays.direction;
-    FarLight _e4 = skySeen(direction_25);
+    vec3 direction_24 = p_23.rays.direction;
+    FarLight _e4 = skySeen(direction_24);
     while(true) {
         uint _e10 = i_26;
         Emitter _e11 = fetchEmitter(_e10);
-        FarLight _e12 = farLight(_e11, direction_25, _e4);
-        vec3 _e16 = p_20.rays.point;
-        vec3 _e18 = p_20.litSide;
-        Odds _e20 = p_20.odds;
-        float _e21 = listedProbability(_e11, _e16, _e18, _e20);
-        float pdf_5 = (_e12.pdf * _e21);
-        vec3 _e23 = found_9;
-        float _e26 = p_20.pdf;
-        float _e27 = misWeight(_e26, pdf_5);
-        float _e29 = p_20.pdf;
-        found_9 = (_e23 + (_e12.radiance * pick((_e29 <= 0.0), 1.0, _e27)));
-        uint _e37 = i_26;
-        i_26 = (_e37 + 1u);
+        FarLight _e12 = farLight(_e11, direction_24, _e4);
+        vec3 _e15 = p_23.litSide;
+        Odds _e17 = p_23.odds;
+        float _e18 = farProbability(_e11, _e15, _e17);
+        float pdf_5 = (_e12.pdf * _e18);
+        vec3 _e20 = found_9;
+        float _e23 = p_23.pdf;
+        float _e24 = misWeight(_e23, pdf_5);
+        float _e26 = p_23.pdf;
+        found_9 = (_e20 + (_e12.radiance * pick((_e26 <= 0.0), 1.0, _e24)));
+        uint _e34 = i_26;
+        i_26 = (_e34 + 1u);
+        const bool _e37 = hasSuns;
         const bool _e40 = hasManyLights;
-        if (!(_e40)) {
+        if (pick(!(_e37), true, !(_e40))) {
             break;
         }
-        uint _e42 = i_26;
-        uint _e45 = frame.farEmitters;
-        if ((_e42 >= _e45)) {
+        uint _e43 = i_26;
+        uint _e46 = frame.farEmitters;
+        if ((_e43 >= _e46)) {
             break;
         }
     }
-    vec3 _e48 = p_20.radiance;
-    vec3 _e50 = p_20.throughput;
-    vec3 _e51 = found_9;
-    p_20.radiance = (_e48 + (_e50 * _e51));
+    vec3 _e49 = p_23.radiance;
+    vec3 _e51 = p_23.throughput;
+    vec3 _e52 = found_9;
+    p_23.radiance = (_e49 + (_e51 * _e52));
     return;
 }
 
-void addFarLight(inout Path p_21) {
+void addFarLight(inout Path p_24) {
     const bool _e2 = hasSky;
     const bool _e4 = hasSuns;
     if (pick(_e2, true, _e4)) {
-        bool _e7 = p_21.escaped;
+        bool _e7 = p_24.escaped;
         uint _e10 = frame.emitterCount;
         if (pick(_e7, (_e10 > 0u), false)) {
-            addSkyAndSuns(p_21);
+            addSkyAndSuns(p_24);
             return;
         } else {
             return;
@@ -2414,13 +2301,13 @@ void addFarLight(inout Path p_21) {
 
 void main() {
     vec4 fragment_4 = gl_FragCoord;
-    Path p_2 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p_3 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 texel_7 = uvec2(fragment_4.xy);
     uint _e6 = frame.relayRow;
     Path _e9 = pathAt((texel_7 - uvec2(0u, _e6)));
-    p_2 = _e9;
-    addFarLight(p_2);
+    p_3 = _e9;
+    addFarLight(p_3);
     uint _e19 = frame.sampleIndex;
     if ((_e19 > 0u)) {
         vec4 _e24 = texelFetch(previousFilm, ivec2(texel_7), 0);
@@ -2428,10 +2315,10 @@ void main() {
         film = Film(_e24, _e27);
     }
     vec4 _e30 = film.sums;
-    vec3 _e32 = p_2.radiance;
+    vec3 _e32 = p_3.radiance;
     vec4 _e37 = film.squares;
-    vec3 _e39 = p_2.radiance;
-    vec3 _e41 = p_2.radiance;
+    vec3 _e39 = p_3.radiance;
+    vec3 _e41 = p_3.radiance;
     Film _tmp_return = Film((_e30 + vec4(_e32, 1.0)), (_e37 + vec4((_e39 * _e41), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;

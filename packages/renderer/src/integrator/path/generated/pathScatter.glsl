@@ -67,7 +67,6 @@ struct Sampler {
 struct Path {
     RayPair rays;
     vec3 light;
-    bool alive;
     vec3 throughput;
     bool escaped;
     uint depth;
@@ -680,13 +679,13 @@ vec3 vectorOf(uvec4 words_2) {
     return uintBitsToFloat(words_2.xyz);
 }
 
-bool isOver(Path p_3) {
-    return pick(!(p_3.alive), (p_3.rays.lightDistance < 0.0), false);
+bool isOver(Path p_4) {
+    return pick(!(p_4.rays.goesOn), (p_4.rays.lightDistance < 0.0), false);
 }
 
-uint flagsOf(Path p_4) {
-    bool _e24 = isOver(p_4);
-    return (((((pick(p_4.alive, aliveFlag, 0u) | pick(p_4.rays.inwards, inwardsFlag, 0u)) | pick(p_4.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_4.escaped, escapedFlag, 0u)) | pick(_e24, overFlag, 0u)) | (p_4.depth << depthShift));
+uint flagsOf(Path p_5) {
+    bool _e25 = isOver(p_5);
+    return (((((pick(p_5.rays.goesOn, aliveFlag, 0u) | pick(p_5.rays.inwards, inwardsFlag, 0u)) | pick(p_5.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_5.escaped, escapedFlag, 0u)) | pick(_e25, overFlag, 0u)) | (p_5.depth << depthShift));
 }
 
 uvec2 pixelOf(uvec2 texel) {
@@ -696,8 +695,8 @@ uvec2 pixelOf(uvec2 texel) {
 }
 
 uint pcg(uint x) {
-    uint s_28 = ((x * 747796405u) + 2891336453u);
-    uint w_7 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
+    uint s_27 = ((x * 747796405u) + 2891336453u);
+    uint w_7 = (((s_27 >> ((s_27 >> 28u) + 4u)) ^ s_27) * 277803737u);
     return ((w_7 >> 22u) ^ w_7);
 }
 
@@ -774,17 +773,17 @@ Sampler samplerAt(uvec2 texel_1, uint key) {
     return _e12;
 }
 
-PathWords written(Path p_5) {
-    RayPair rays_2 = p_5.rays;
+PathWords written(Path p_6) {
+    RayPair rays_2 = p_6.rays;
     uvec4 _e4 = words_1(rays_2.point, rays_2.shape);
-    uint _e6 = flagsOf(p_5);
+    uint _e6 = flagsOf(p_6);
     uvec4 _e7 = words_1(rays_2.direction, _e6);
     uvec4 _e10 = wordsOf(rays_2.lightDirection, rays_2.lightDistance);
-    uvec4 _e13 = words_1(p_5.light, rays_2.lightShape);
-    uvec4 _e16 = wordsOf(p_5.throughput, p_5.pdf);
-    uvec4 _e20 = wordsOf(p_5.litSide, p_5.odds.total);
-    uvec4 _e24 = wordsOf(p_5.radiance, p_5.odds.tree);
-    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_5.sampler_.key, 0u));
+    uvec4 _e13 = words_1(p_6.light, rays_2.lightShape);
+    uvec4 _e16 = wordsOf(p_6.throughput, p_6.pdf);
+    uvec4 _e20 = wordsOf(p_6.litSide, p_6.odds.total);
+    uvec4 _e24 = wordsOf(p_6.radiance, p_6.odds.tree);
+    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_6.sampler_.key, 0u));
 }
 
 float tMinAt(vec3 point, uint flags) {
@@ -806,6 +805,14 @@ PairHit hitAt(uvec2 texel_3) {
 bool wasOver(uvec2 texel_4) {
     uvec4 _e3 = texelFetch(hit1, ivec2(texel_4), 0);
     return (_e3.z == isDone);
+}
+
+Path noPath() {
+    Path p_7 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    p_7.rays.lightDirection = vec3(0.0, 1.0, 0.0);
+    p_7.rays.lightDistance = -1.0;
+    Path _e10 = p_7;
+    return _e10;
 }
 
 float filterAxis(float u) {
@@ -915,16 +922,12 @@ vec2 next2d(inout Sampler s_4) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_22 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_22.x) > abs(p_22.y));
-    float radius_1 = pick(wide, p_22.x, p_22.y);
-    float ratio_6 = (pick(wide, p_22.y, p_22.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_25 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_25.x) > abs(p_25.y));
+    float radius_1 = pick(wide, p_25.x, p_25.y);
+    float ratio_6 = (pick(wide, p_25.y, p_25.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
-}
-
-RayPair oneRay(vec3 origin, vec3 direction, uint number) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -937,10 +940,10 @@ Bounds fetchBounds(uint i) {
     return Bounds(_e2.xyz, _e2.w);
 }
 
-float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin_1);
-    float along = dot(toCenter, direction_1);
-    vec3 across_1 = (toCenter - (along * direction_1));
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_1 = (toCenter - (along * direction));
     float discriminant = ((radius * radius) - dot(across_1, across_1));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
@@ -949,20 +952,20 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_6, uint i_1, vec2 t) {
-    bool own_4 = (i_1 == p_6.shape);
-    float pathT = pick(pick(own_4, !(p_6.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_4, !(p_6.lightInwards), false), true, (i_1 == p_6.lightShape)), 1e30, t.y);
+PairHit meet(PairHit found, RayPair p_9, uint i_1, vec2 t) {
+    bool own_4 = (i_1 == p_9.shape);
+    float pathT = pick(pick(own_4, !(p_9.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_4, !(p_9.lightInwards), false), true, (i_1 == p_9.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
-    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_6.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_9.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_7, uint i_2) {
+PairHit meetSphere(PairHit found_1, RayPair p_10, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_5 = (i_2 == p_7.shape);
-    float _e13 = intersectSphere(p_7.point, p_7.direction, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.inwards, false));
-    float _e21 = intersectSphere(p_7.point, p_7.lightDirection, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_7, i_2, vec2(_e13, _e21));
+    bool own_5 = (i_2 == p_10.shape);
+    float _e13 = intersectSphere(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.inwards, false));
+    float _e21 = intersectSphere(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_10, i_2, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -989,72 +992,72 @@ vec3 turned(vec4 q_1, vec3 v_3) {
     return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_2) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2, origin_3);
-    vec3 middle = (-(origin_3) * _e3);
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_10 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_10 > tMin_1), false), t_10, 1e30));
 }
 
-PairHit meetBox(PairHit found_2, RayPair p_8, uint i_4) {
+PairHit meetBox(PairHit found_2, RayPair p_11, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_6 = (i_4 == p_8.shape);
-    vec3 _e11 = turned(_e4.a, (p_8.point - _e3.center));
-    vec3 _e14 = turned(_e4.a, p_8.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_8.tMin, pick(own_6, p_8.inwards, false));
-    vec3 _e23 = turned(_e4.a, p_8.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_8.tMin, pick(own_6, p_8.lightInwards, false));
-    PairHit _e31 = meet(found_2, p_8, i_4, vec2(_e20, _e29));
+    bool own_6 = (i_4 == p_11.shape);
+    vec3 _e11 = turned(_e4.a, (p_11.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_11.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_11.tMin, pick(own_6, p_11.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_11.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_11.tMin, pick(own_6, p_11.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_11, i_4, vec2(_e20, _e29));
     return _e31;
 }
 
-float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_13 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_13);
-    vec3 toCenter_1 = (center_1 - origin_5);
-    float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_23 = ((t_11 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_23, reciprocalU)), abs(dot(p_23, reciprocalV))) <= 0.500001);
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_15 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_15);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_11 = (dot(toCenter_1, normal_15) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_26 = ((t_11 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_26, reciprocalU)), abs(dot(p_26, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_9, uint i_5) {
+PairHit meetQuad(PairHit found_3, RayPair p_12, uint i_5) {
     Bounds _e3 = fetchBounds(i_5);
     Extent _e4 = fetchExtent(i_5);
-    float _e13 = intersectQuad(p_9.point, p_9.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    float _e22 = intersectQuad(p_9.point, p_9.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    PairHit _e24 = meet(found_3, p_9, i_5, vec2(_e13, _e22));
+    float _e13 = intersectQuad(p_12.point, p_12.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    float _e22 = intersectQuad(p_12.point, p_12.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    PairHit _e24 = meet(found_3, p_12, i_5, vec2(_e13, _e22));
     return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_5, normal);
-    float t_12 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_12 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_12 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_12, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_10, uint i_6) {
+PairHit meetPlane(PairHit found_4, RayPair p_13, uint i_6) {
     Bounds _e3 = fetchBounds(i_6);
-    float _e9 = intersectPlane(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin);
-    float _e15 = intersectPlane(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin);
-    PairHit _e17 = meet(found_4, p_10, i_6, vec2(_e9, _e15));
+    float _e9 = intersectPlane(p_13.point, p_13.direction, _e3.center, _e3.radius, p_13.tMin);
+    float _e15 = intersectPlane(p_13.point, p_13.lightDirection, _e3.center, _e3.radius, p_13.tMin);
+    PairHit _e17 = meet(found_4, p_13, i_6, vec2(_e9, _e15));
     return _e17;
 }
 
@@ -1076,20 +1079,20 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+SlabRay slabRay(vec3 origin_6, vec3 direction_5) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_5, vec3(1e-18), lessThan(abs(direction_5), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_6) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_5, vec3(0.0))))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_4) {
     return pick((axis == 0u), v_4.yzx, pick((axis == 1u), v_4.zxy, v_4));
 }
 
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
+MeshRay meshRay(vec3 origin_7, vec3 direction_6) {
+    vec3 size_1 = abs(direction_6);
     uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+    vec3 _e16 = turnedTo(axis_3, direction_6);
+    return MeshRay(origin_7, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 vec4 larger(vec4 a, vec4 b) {
@@ -1123,9 +1126,9 @@ vec4 enterChildren(uint node, SlabRay r, float t_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_24 = (a_2.x * b_2.y);
+    float p_27 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_24)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_27)));
 }
 
 bool isWithin(float u_4, float v_5, float w_3) {
@@ -1268,7 +1271,7 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
+bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
@@ -1283,7 +1286,7 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
     }
-    uint _e57 = pcg(number_1);
+    uint _e57 = pcg(number);
     uint _e59 = pcg((instance + _e57));
     uint _e61 = pcg((place + _e59));
     float _e62 = unitFloat(_e61);
@@ -1330,9 +1333,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_8) {
+float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_7) {
     SphereView _e3 = viewSphere(e_2, point_2);
-    bool reached = pick(_e3.inside, true, (dot(direction_8, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_7, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1371,8 +1374,8 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     vec2 lengths = vec2(length(e_3.u), length(e_3.v));
     vec3 axisX = (e_3.u / vec3(lengths.x));
     vec3 axisY = (e_3.v / vec3(lengths.y));
-    vec3 normal_14 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_14);
+    vec3 normal_16 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_16);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit_2 = pick((abs(signedHeight) > least), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1383,7 +1386,7 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     float _e46 = stretch(high_1.x, y_9, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_16 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit_2, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1402,9 +1405,9 @@ BoxView viewBox(Emitter e_5, vec3 point_5) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_3, vec3 normal_1) {
+float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_8, float distance_3, vec3 normal_1) {
     BoxView _e5 = viewBox(e_6, point_6);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_9, normal_1))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_8, normal_1))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -1414,16 +1417,21 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_7, vec3 direction_10, float distance_4, vec3 normal_2, uint place_1) {
+float meshPdf(Emitter e_7, vec3 direction_9, float distance_4, vec3 normal_2, uint place_1) {
     uint _e7 = frame.lampTables;
     uint row_12 = ((_e7 + uint(e_7.table)) + (place_1 & ((1u << uint(e_7.radius)) - 1u)));
-    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_10, normal_2))), distance_4);
+    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_9, normal_2))), distance_4);
     LampTriangle _e24 = fetchLampTriangle(row_12);
     return (_e23 * _e24.density);
 }
 
-float spotFalloff(Emitter e_9, vec3 toLight_1) {
-    float share_2 = clamp(((-(dot(toLight_1, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
+float cosineTowards(Emitter e_9, vec3 toLight_1, float grown, vec3 normal_4) {
+    float above_1 = clamp(((dot(normal_4, toLight_1) + e_9.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight_2) {
+    float share_2 = clamp(((-(dot(toLight_2, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share_2 * share_2);
 }
 
@@ -1451,7 +1459,7 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
+vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_7) {
     vec4 x_20 = (n.x - vec4(point_10.x));
     vec4 y_10 = (n.y - vec4(point_10.y));
     vec4 z_3 = (n.z - vec4(point_10.z));
@@ -1469,13 +1477,13 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_2);
-    vec4 cosN = clamp(((((normal_6.x * x_20) + (normal_6.y * y_10)) + (normal_6.z * z_3)) * inverse_2), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_10)) + (normal_7.z * z_3)) * inverse_2), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_2);
-    vec4 cosIn = pick((dot(normal_6, normal_6) == 0.0), vec4(1.0), above_1);
-    vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_, (n.reach * n.reach)), vec4(1e-15)));
-    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_2);
+    vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
+    vec4 estimate_2 = (((n.power * cosOut) * cosIn) / max(max(distance2_, (n.reach * n.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_2, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
 
 float shareOfTree(float total, float far) {
@@ -1483,7 +1491,7 @@ float shareOfTree(float total, float far) {
     return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_3));
 }
 
-TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_1) {
+TreeChoice descend(vec3 point_11, vec3 normal_8, float u_5, int leaf, float far_1) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -1497,7 +1505,7 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_7);
+        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_8);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -1536,11 +1544,11 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
     return _e129;
 }
 
-float treeProbability(Emitter e_12, vec3 point_12, vec3 normal_8, Odds odds_1) {
+float treeProbability(Emitter e_13, vec3 point_12, vec3 normal_9, Odds odds_1) {
     float probability_1 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_12, normal_8, 0.0, int(max(e_12.leaf, 0.0)), odds_1.total);
+        TreeChoice _e17 = descend(point_12, normal_9, 0.0, int(max(e_13.leaf, 0.0)), odds_1.total);
         probability_1 = (_e17.probability * _e17.share);
     }
     float _e21 = probability_1;
@@ -1574,11 +1582,11 @@ vec2 thirdOf(Groups g_2) {
     return _e12;
 }
 
-TwoPoints nextTwo3d(inout Sampler s_8) {
-    Sampler _e1 = s_8;
+TwoPoints nextTwo3d(inout Sampler s_7) {
+    Sampler _e1 = s_7;
     Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_8.key;
-    s_8.key = (_e5 + 2u);
+    uint _e5 = s_7.key;
+    s_7.key = (_e5 + 2u);
     vec2 _e8 = firstOf(_e2);
     vec2 _e9 = secondOf(_e2);
     vec2 _e10 = thirdOf(_e2);
@@ -1590,11 +1598,11 @@ vec3 litSideOf(Meeting m) {
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_29 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_6 = (-1.0 / (s_29 + axis_1.z));
+    float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_6 = (-1.0 / (s_28 + axis_1.z));
     float b_9 = ((axis_1.x * axis_1.y) * a_6);
-    vec3 x_21 = vec3((1.0 + (((s_29 * axis_1.x) * axis_1.x) * a_6)), (s_29 * b_9), (-(s_29) * axis_1.x));
-    vec3 y_11 = vec3(b_9, (s_29 + ((axis_1.y * axis_1.y) * a_6)), -(axis_1.y));
+    vec3 x_21 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_6)), (s_28 * b_9), (-(s_28) * axis_1.x));
+    vec3 y_11 = vec3(b_9, (s_28 + ((axis_1.y * axis_1.y) * a_6)), -(axis_1.y));
     return (((v_6.x * x_21) + (v_6.y * y_11)) + (v_6.z * axis_1));
 }
 
@@ -1609,17 +1617,17 @@ ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
     return ConeDirection(_e23, cosine_21, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_14, vec2 u_8) {
-    SphereView _e3 = viewSphere(e_13, point_14);
+LightSample sampleSphere(Emitter e_14, vec3 point_14, vec2 u_8) {
+    SphereView _e3 = viewSphere(e_14, point_14);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_2 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_14.radius * e_14.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger_1 = (abs(along_2) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
     float distance_6 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_14.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_15) {
@@ -1632,9 +1640,9 @@ vec2 cosineAndSine(float x_15) {
 vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     float h_7 = q_3.height;
     vec2 y_12 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_30 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
+    vec2 s_29 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_9.x * q_3.solidAngle))));
-    vec2 across_2 = (vec2((s_30.y - s_30.x), (s_30.y + s_30.x)) * _e21);
+    vec2 across_2 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
     float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_2), 1e-15));
     float x_22 = clamp(((h_7 * w_8) * inversesqrt(max((1.0 - (w_8 * w_8)), 1e-12))), q_3.low.x, q_3.high.x);
     float d2_ = ((x_22 * x_22) + (h_7 * h_7));
@@ -1644,17 +1652,17 @@ vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     return (((x_22 * q_3.axisX) + (atY * q_3.axisY)) + (h_7 * q_3.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_15, vec2 u_10) {
-    QuadView _e3 = viewQuad(e_14, point_15);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_14.u)) + (u_10.y * e_14.v));
+LightSample sampleQuad(Emitter e_15, vec3 point_15, vec2 u_10) {
+    QuadView _e3 = viewQuad(e_15, point_15);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_15.u)) + (u_10.y * e_15.v));
     vec3 _e13 = sphericalRectangle(_e3, u_10);
-    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_4), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_4 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_5), _e3.height);
+    float _e23 = pdfOfView(_e3, e_15.area, distance_7);
+    return LightSample((toLight_5 / vec3(distance_7)), distance_7, e_15.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
+vec4 pointOnFaces(Emitter e_16, BoxView b_3, vec2 u_11) {
     float both = (b_3.faces.x + b_3.faces.y);
     float at_3 = (u_11.x * b_3.area);
     bool onX = (at_3 < b_3.faces.x);
@@ -1662,9 +1670,9 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
     float face = pick(onX, b_3.faces.x, pick(onY, b_3.faces.y, b_3.faces.z));
     float within_1 = clamp(((at_3 - pick(onX, 0.0, pick(onY, b_3.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p_25 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX, p_25.xyz, pick(onY, p_25.zxy, p_25.yzx)) * e_15.u) - b_3.point);
-    return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
+    vec3 p_28 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_6 = ((pick(onX, p_28.xyz, pick(onY, p_28.zxy, p_28.yzx)) * e_16.u) - b_3.point);
+    return vec4(toLight_6, abs(dot(axis_5, toLight_6)));
 }
 
 vec3 rotateBack(vec4 q_4, vec3 v_7) {
@@ -1672,30 +1680,30 @@ vec3 rotateBack(vec4 q_4, vec3 v_7) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_16, vec2 u_12) {
-    BoxView _e3 = viewBox(e_16, point_16);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_12);
+LightSample sampleBox(Emitter e_17, vec3 point_16, vec2 u_12) {
+    BoxView _e3 = viewBox(e_17, point_16);
+    vec4 _e4 = pointOnFaces(e_17, _e3, u_12);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_17.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
-    return LightSample(_e37, distance_8, e_16.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_21);
+    return LightSample(_e37, distance_8, e_17.radiance, pdf_3, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_17, vec2 u_13) {
+ChosenTriangle chooseTriangle(Emitter e_18, vec2 u_13) {
     uint _e4 = frame.lampTables;
-    uint first_1 = (_e4 + uint(e_17.table));
-    uint column_2 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
+    uint first_1 = (_e4 + uint(e_18.table));
+    uint column_2 = min(uint((u_13.x * e_18.triangles)), (uint(e_18.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first_1 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_17.triangles);
-    float x_23 = clamp((((u_13.x * e_17.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_18.triangles);
+    float x_23 = clamp((((u_13.x * e_18.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_8 = (x_23 < _e18.own);
     float rest_2 = pick(own_8, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_8, _e18.place, _e18.other);
@@ -1710,8 +1718,8 @@ vec2 weightsOnTriangle(vec2 u_14) {
     return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
 }
 
-vec3 outOfMesh(Instance i_16, vec3 p_14) {
-    vec3 q_7 = (p_14 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
+vec3 outOfMesh(Instance i_16, vec3 p_17) {
+    vec3 q_7 = (p_17 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
     vec3 x_24 = cross(i_16.toMeshY.xyz, i_16.toMeshZ.xyz);
     vec3 y_13 = cross(i_16.toMeshZ.xyz, i_16.toMeshX.xyz);
     vec3 z_5 = cross(i_16.toMeshX.xyz, i_16.toMeshY.xyz);
@@ -1760,31 +1768,31 @@ Surface fetchSurface(uint i_18) {
     return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
-LightSample samplePoint(Emitter e_19, vec3 point_18) {
-    vec3 toLight_6 = (e_19.position - point_18);
-    float distance_9 = length(toLight_6);
+LightSample samplePoint(Emitter e_20, vec3 point_18) {
+    vec3 toLight_7 = (e_20.position - point_18);
+    float distance_9 = length(toLight_7);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_9, (e_19.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_7 / vec3(safe)), distance_9, (e_20.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_20, vec3 point_19) {
-    LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_20, point_19);
-    s_9 = _e2;
-    vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_20, _e5);
-    vec3 _e8 = s_9.radiance;
-    s_9.radiance = (_e8 * _e6);
-    float _e12 = s_9.pdf;
-    s_9.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_9;
+LightSample sampleSpot(Emitter e_21, vec3 point_19) {
+    LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_21, point_19);
+    s_8 = _e2;
+    vec3 _e5 = s_8.direction;
+    float _e6 = spotFalloff(e_21, _e5);
+    vec3 _e8 = s_8.radiance;
+    s_8.radiance = (_e8 * _e6);
+    float _e12 = s_8.pdf;
+    s_8.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_8;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
-    bool delta = (e_21.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_21.u), (e_21.area / 6.2831855), u_16);
-    return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_22, vec2 u_16) {
+    bool delta = (e_22.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_16);
+    return LightSample(_e10.direction, 1e30, e_22.radiance, pick(delta, 1.0, (1.0 / max(e_22.area, 1e-31))), delta);
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -1802,10 +1810,10 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
-vec3 sky(vec3 direction_12) {
+vec3 sky(vec3 direction_11) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
+    return mix(_e3, _e6, max(direction_11.y, 0.0));
 }
 
 bool isPlane(uint i_19) {
@@ -1814,12 +1822,12 @@ bool isPlane(uint i_19) {
     return pick((i_19 >= _e4), (i_19 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_9, vec3 direction_13, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_9, direction_13, halfSize_2);
+vec3 boxNormal(vec3 origin_8, vec3 direction_12, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_8, direction_12, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_13 = pick(entering, _e5.near, _e5.far);
-    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_13, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_12, vec3(0.0))));
     bool onX_1 = (crossed.x == t_13);
     bool onY_1 = pick(!(onX_1), (crossed.y == t_13), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
@@ -1841,38 +1849,38 @@ bool isSphere(uint i_21) {
     return (i_21 < _e4);
 }
 
-vec3 normalAt(RayPair p_16, float t_6, uint i_22) {
-    vec3 normal_10 = vec3(0.0);
+vec3 normalAt(RayPair p_19, float t_6, uint i_22) {
+    vec3 normal_11 = vec3(0.0);
     Bounds _e3 = fetchBounds(i_22);
-    vec3 origin_10 = (p_16.point - _e3.center);
-    normal_10 = _e3.center;
+    vec3 origin_9 = (p_19.point - _e3.center);
+    normal_11 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
         Extent _e11 = fetchExtent(i_22);
-        vec3 _e17 = normal_10;
+        vec3 _e17 = normal_11;
         bool _e18 = isPlane(i_22);
-        normal_10 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+        normal_11 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_22);
-        bool inside_3 = pick((i_22 == p_16.shape), p_16.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_10);
-        vec3 _e31 = turned(_e22.a, p_16.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_16.tMin, inside_3);
-        vec3 _e36 = normal_10;
+        bool inside_3 = pick((i_22 == p_19.shape), p_19.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_9);
+        vec3 _e31 = turned(_e22.a, p_19.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_19.tMin, inside_3);
+        vec3 _e36 = normal_11;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_22);
-        normal_10 = pick(_e39, _e38, _e36);
+        normal_11 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 outwards_1 = (origin_10 + (t_6 * p_16.direction));
-        vec3 _e46 = normal_10;
+        vec3 outwards_1 = (origin_9 + (t_6 * p_19.direction));
+        vec3 _e46 = normal_11;
         bool _e53 = isSphere(i_22);
-        normal_10 = pick(_e53, pick((dot(outwards_1, outwards_1) == 0.0), -(p_16.direction), outwards_1), _e46);
+        normal_11 = pick(_e53, pick((dot(outwards_1, outwards_1) == 0.0), -(p_19.direction), outwards_1), _e46);
     }
-    vec3 _e55 = normal_10;
+    vec3 _e55 = normal_11;
     return normalize(_e55);
 }
 
@@ -1918,20 +1926,20 @@ Layers layersOf(uint code_4, float eta) {
 }
 
 vec3 fromOctahedral(uint code_5) {
-    vec2 p_26 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_6 = ((1.0 - abs(p_26.x)) - abs(p_26.y));
-    vec2 folded = ((vec2(1.0) - abs(p_26.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_26, vec2(0.0))));
-    return normalize(vec3(pick((z_6 < 0.0), folded, p_26), z_6));
+    vec2 p_29 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_6 = ((1.0 - abs(p_29.x)) - abs(p_29.y));
+    vec2 folded = ((vec2(1.0) - abs(p_29.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_29, vec2(0.0))));
+    return normalize(vec3(pick((z_6 < 0.0), folded, p_29), z_6));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_3, vec2 weights_2) {
-    MeshPoint p_17 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    MeshPoint p_20 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_3 * triangleRows)));
     mat3x3 turn_1 = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
     vec3 geometric_3 = normalize((turn_1 * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_17 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
+    p_20 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
@@ -1941,23 +1949,23 @@ MeshPoint meshPoint(uint instance_3, uint place_3, vec2 weights_2) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_15 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
-        vec3 smoothed = (turn_1 * normal_15);
+        vec3 normal_17 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
+        vec3 smoothed = (turn_1 * normal_17);
         float size_2 = dot(smoothed, smoothed);
         float side_4 = pick((dot(smoothed, geometric_3) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_17.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
+        p_20.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
         const bool _e103 = hasTextures;
         if (_e103) {
-            p_17.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
+            p_20.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
             const bool _e120 = hasVertexMore;
             if (_e120) {
                 if ((_e9.vertexRows > vertexRows)) {
                     VertexMore _e127 = fetchVertexMore((rows_1.x + vertexRows));
                     VertexMore _e131 = fetchVertexMore((rows_1.y + vertexRows));
                     VertexMore _e135 = fetchVertexMore((rows_1.z + vertexRows));
-                    vec4 _e138 = p_17.uv;
-                    p_17.uv = vec4(_e138.xy, (((share_4.x * _e127.uv) + (share_4.y * _e131.uv)) + (share_4.z * _e135.uv)));
+                    vec4 _e138 = p_20.uv;
+                    p_20.uv = vec4(_e138.xy, (((share_4.x * _e127.uv) + (share_4.y * _e131.uv)) + (share_4.z * _e135.uv)));
                     vec2 _e154 = pairOf(_e127.redGreen);
                     vec2 _e158 = pairOf(_e131.redGreen);
                     vec2 _e163 = pairOf(_e135.redGreen);
@@ -1966,7 +1974,7 @@ MeshPoint meshPoint(uint instance_3, uint place_3, vec2 weights_2) {
                     vec2 _e172 = pairOf(_e131.blueAlpha);
                     vec2 _e177 = pairOf(_e135.blueAlpha);
                     vec2 blueAlpha = (((share_4.x * _e168) + (share_4.y * _e172)) + (share_4.z * _e177));
-                    p_17.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+                    p_20.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
                 }
             }
             const bool _e188 = hasNormalMaps;
@@ -1977,14 +1985,14 @@ MeshPoint meshPoint(uint instance_3, uint place_3, vec2 weights_2) {
                     vec3 _e206 = fromOctahedral(_e58.tangent);
                     vec3 tangent_2 = (((share_4.x * _e197) + (share_4.y * _e201)) + (share_4.z * _e206));
                     float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                    p_17.normal = (smoothed * side_4);
-                    p_17.tangent = ((turn_1 * tangent_2) * side_4);
-                    p_17.bitangent = ((turn_1 * cross(normal_15, tangent_2)) * (hand * side_4));
+                    p_20.normal = (smoothed * side_4);
+                    p_20.tangent = ((turn_1 * tangent_2) * side_4);
+                    p_20.bitangent = ((turn_1 * cross(normal_17, tangent_2)) * (hand * side_4));
                 }
             }
         }
     }
-    MeshPoint _e227 = p_17;
+    MeshPoint _e227 = p_20;
     return _e227;
 }
 
@@ -2046,18 +2054,18 @@ void takeUpLayer(uint slot, vec4 texel_6) {
     }
 }
 
-Bumps takeUpTextures(inout Surface s_12, vec4 uv_1, vec3 color) {
+Bumps takeUpTextures(inout Surface s_11, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_24 = 0u;
     vec2 place_4 = vec2(0.0);
-    float _e4 = s_12.textures;
+    float _e4 = s_11.textures;
     uint row_13 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_13);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
-    vec3 _e13 = s_12.baseColor;
-    s_12.baseColor = (_e13 * color);
-    vec3 _e16 = s_12.emission;
-    s_12.emission = (_e16 * pick(unlit, color, vec3(1.0)));
+    vec3 _e13 = s_11.baseColor;
+    s_11.baseColor = (_e13 * color);
+    vec3 _e16 = s_11.emission;
+    s_11.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_24;
@@ -2069,19 +2077,19 @@ Bumps takeUpTextures(inout Surface s_12, vec4 uv_1, vec3 color) {
             }
             vec2 _e55 = place_4;
             vec4 _e56 = lookUp(_e42, _e55);
-            vec3 _e58 = s_12.baseColor;
-            s_12.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
-            vec3 _e68 = s_12.emission;
-            s_12.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e58 = s_11.baseColor;
+            s_11.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e68 = s_11.emission;
+            s_11.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
             vec2 share_5 = pick((_e42.slot == metallicRoughnessSlot), _e56.yz, vec2(1.0));
-            float _e85 = s_12.alpha;
+            float _e85 = s_11.alpha;
             float rough = max(((_e85 * share_5.x) * share_5.x), 0.001);
-            float _e94 = s_12.alpha;
-            float _e96 = s_12.code;
+            float _e94 = s_11.alpha;
+            float _e96 = s_11.code;
             bool _e98 = isSmooth(uint(_e96));
-            s_12.alpha = pick(_e98, _e94, rough);
-            float _e101 = s_12.metallic;
-            s_12.metallic = (_e101 * share_5.y);
+            s_11.alpha = pick(_e98, _e94, rough);
+            float _e101 = s_11.metallic;
+            s_11.metallic = (_e101 * share_5.y);
             vec3 bump = (((2.0 * _e56.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
             vec3 _e117 = bumps.base;
             bumps.base = pick((_e42.slot == normalSlot), bump, _e117);
@@ -2122,11 +2130,11 @@ vec3 bent(vec3 g_3, vec3 o_1, vec3 n_1) {
     return pick((dot(g_3, reflected) >= least_1), n_1, raised);
 }
 
-vec3 validNormal(vec3 geometric, vec3 direction_14, vec3 mapped, vec3 otherwise) {
+vec3 validNormal(vec3 geometric, vec3 direction_13, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_5 = pick((dot(geometric, direction_14) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_5 * geometric), -(direction_14), (side_5 * n_4));
+    float side_5 = pick((dot(geometric, direction_13) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_5 * geometric), -(direction_13), (side_5 * n_4));
     return (side_5 * _e21);
 }
 
@@ -2143,24 +2151,24 @@ bool letsThrough(uint code_8, float eta_1) {
     return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_1 < 0.0), false));
 }
 
-vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_15, bool isClear) {
-    bool agree = ((dot(geometric_1, direction_15) > 0.0) == (dot(shading, direction_15) > 0.0));
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_14, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_14) > 0.0) == (dot(shading, direction_14) > 0.0));
     return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
-vec3 tangentAbout(vec3 normal_11) {
-    vec3 east = vec3(normal_11.z, 0.0, -(normal_11.x));
+vec3 tangentAbout(vec3 normal_12) {
+    vec3 east = vec3(normal_12.z, 0.0, -(normal_12.x));
     float length2_ = dot(east, east);
     return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
 }
 
-vec3 grainAt(vec3 normal_12, vec3 tangent, vec3 bitangent, vec2 grain) {
-    vec3 along_3 = (tangent - (dot(tangent, normal_12) * normal_12));
+vec3 grainAt(vec3 normal_13, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_3 = (tangent - (dot(tangent, normal_13) * normal_13));
     float size_5 = dot(along_3, along_3);
     bool own_10 = (size_5 > (1e-12 * dot(tangent, tangent)));
-    vec3 _e12 = tangentAbout(normal_12);
+    vec3 _e12 = tangentAbout(normal_13);
     vec3 t_14 = pick(own_10, (along_3 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_12, t_14);
+    vec3 across_4 = cross(normal_13, t_14);
     float hand_1 = pick(pick(own_10, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
     return ((grain.x * t_14) + ((grain.y * hand_1) * across_4));
 }
@@ -2296,10 +2304,10 @@ float coatCosine(float side_1, vec3 w_4) {
     return abs(_e8);
 }
 
-Meeting meetingAt(inout Path p_18, PairHit hit_3) {
+Meeting meetingAt(inout Path p_21, PairHit hit_3) {
     Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
-    RayPair rays_3 = p_18.rays;
+    RayPair rays_3 = p_21.rays;
     bool escaped = (hit_3.shape == noShape);
     uint shape_1 = pick(escaped, 0u, hit_3.shape);
     SurfacePoint _e10 = surfaceAt(rays_3, hit_3, shape_1);
@@ -2308,15 +2316,15 @@ Meeting meetingAt(inout Path p_18, PairHit hit_3) {
     float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 outward_1 = _e10.shading;
-    vec3 normal_16 = pick(pick((dot(outward_1, rays_3.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e29 = basisAbout(normal_16);
+    vec3 normal_18 = pick(pick((dot(outward_1, rays_3.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e29 = basisAbout(normal_18);
     basis = _e29;
     const bool _e32 = hasGrain;
     if (_e32) {
         vec3 _e34 = grainHere;
         if (any(notEqual(_e34, vec3(0.0)))) {
             vec3 _e40 = grainHere;
-            Basis _e41 = basisAlong(normal_16, _e40);
+            Basis _e41 = basisAlong(normal_18, _e40);
             basis = _e41;
         }
     }
@@ -2328,9 +2336,9 @@ Meeting meetingAt(inout Path p_18, PairHit hit_3) {
         float _e52 = surface_1.code;
         bool _e54 = isThin(uint(_e52));
         bool inside_4 = pick(pick(pick(_e19, !(_e54), false), (_e45.z < 0.0), false), !(escaped), false);
-        vec3 _e64 = p_18.throughput;
+        vec3 _e64 = p_21.throughput;
         vec3 _e66 = surface_1.absorption;
-        p_18.throughput = (_e64 * exp((-(_e66) * pick(inside_4, hit_3.t, 0.0))));
+        p_21.throughput = (_e64 * exp((-(_e66) * pick(inside_4, hit_3.t, 0.0))));
     }
     const bool _e75 = hasCoatNormals;
     if (_e75) {
@@ -2363,14 +2371,14 @@ vec3 heroColor(vec3 throughput, float u_22) {
     return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
 }
 
-float nextHash(inout Sampler s_13) {
-    uint _e3 = s_13.key;
-    s_13.key = (_e3 + 1u);
-    uint _e7 = s_13.key;
-    uint _e9 = s_13.salt;
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_13.sample_;
-    uint _e17 = s_13.place;
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
     uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
@@ -2443,7 +2451,7 @@ bool reflectsAll(float cosine_7, float ratio_1) {
     return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
 }
 
-Reflectance bareReflectance(Surface s_14, float cosine_8) {
+Reflectance bareReflectance(Surface s_13, float cosine_8) {
     vec3 dielectric = vec3(0.0);
     float _e2 = outerCosine(cosine_8);
     float _e5 = layersHere.specularWeight;
@@ -2458,7 +2466,7 @@ Reflectance bareReflectance(Surface s_14, float cosine_8) {
         dielectric = pick(_e18, vec3(1.0), _e12);
     }
     vec3 _e20 = dielectric;
-    vec3 _e22 = schlick(s_14.baseColor, _e2);
+    vec3 _e22 = schlick(s_13.baseColor, _e2);
     return Reflectance(_e20, _e22);
 }
 
@@ -2466,17 +2474,17 @@ float mean3_(vec3 v_11) {
     return dot(v_11, vec3(0.33333334));
 }
 
-void meetLayers(Surface s_15, vec3 given, vec3 hero_1) {
+void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
     float side_8 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_8));
-    float metallic_3 = s_15.metallic;
+    float metallic_3 = s_14.metallic;
     stackHere.wo = wo_8;
     stackHere.side = side_8;
     stackHere.hero = hero_1;
     stackHere.inside = false;
     stackHere.ratio = 1.0;
     float _e31 = layersHere.anisotropy;
-    vec2 _e32 = ellipticAlpha(s_15.alpha, _e31);
+    vec2 _e32 = ellipticAlpha(s_14.alpha, _e31);
     stackHere.alpha = _e32;
     const bool _e34 = hasTransmission;
     if (_e34) {
@@ -2530,14 +2538,14 @@ void meetLayers(Surface s_15, vec3 given, vec3 hero_1) {
         float _e154 = stackHere.alpha.y;
         float _e157 = singleScatteringAlbedo(wo_8.z, sqrt((_e150 * _e154)));
         float _e166 = layersHere.transmission;
-        bool asked = pick(((uint(s_15.code) & 8u) != 0u), (_e166 <= 0.0), false);
-        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_15.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
+        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (_e166 <= 0.0), false);
+        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
     }
-    Reflectance _e185 = bareReflectance(s_15, wo_8.z);
+    Reflectance _e185 = bareReflectance(s_14, wo_8.z);
     vec3 met_2 = mix(_e185.dielectric, _e185.metal, metallic_3);
     float _e192 = greatest(_e185.dielectric);
     float enters = ((1.0 - metallic_3) * (1.0 - _e192));
-    float _e197 = mean3_(s_15.baseColor);
+    float _e197 = mean3_(s_14.baseColor);
     float coat_1 = stackHere.coat;
     float _e205 = stackHere.sheenColor;
     float _e208 = stackHere.sheen;
@@ -2590,8 +2598,8 @@ float indexRatio(float eta_2, float z_1, bool thin) {
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
-    float s_31 = (1.0 + length(wo.xy));
-    float s2_ = (s_31 * s_31);
+    float s_30 = (1.0 + length(wo.xy));
+    float s2_ = (s_30 * s_30);
     float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
@@ -2600,9 +2608,9 @@ float stretched(vec3 w_5, float alpha_3) {
     return sqrt(((w_5.z * w_5.z) + ((alpha_3 * alpha_3) * dot(w_5.xy, w_5.xy))));
 }
 
-Outgoing outgoing(Surface s_16, vec3 wo_1, vec3 hero_2) {
+Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_12 = uint(s_16.code);
+    uint code_12 = uint(s_15.code);
     bool _e5 = isConductor(code_12);
     bool _e6 = isDielectric(code_12);
     o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
@@ -2610,7 +2618,7 @@ Outgoing outgoing(Surface s_16, vec3 wo_1, vec3 hero_2) {
     if (_e17) {
         bool _e18 = isLayered(code_12);
         if (_e18) {
-            meetLayers(s_16, wo_1, hero_2);
+            meetLayers(s_15, wo_1, hero_2);
         }
     }
     const bool _e20 = hasMetallicRoughness;
@@ -2618,7 +2626,7 @@ Outgoing outgoing(Surface s_16, vec3 wo_1, vec3 hero_2) {
         const bool _e22 = hasLayers;
         if (!(_e22)) {
             float _e26 = o_2.share;
-            float _e30 = specularShare(s_16.baseColor, s_16.metallic, wo_1.z);
+            float _e30 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
             bool _e31 = isMetallicRoughness(code_12);
             o_2.share = pick(_e31, _e30, _e26);
         }
@@ -2626,7 +2634,7 @@ Outgoing outgoing(Surface s_16, vec3 wo_1, vec3 hero_2) {
     const bool _e34 = hasGlass;
     if (_e34) {
         bool _e39 = isThin(code_12);
-        float _e40 = indexRatio(s_16.eta.x, wo_1.z, _e39);
+        float _e40 = indexRatio(s_15.eta.x, wo_1.z, _e39);
         bool _e41 = isDielectric(code_12);
         o_2.ratio = pick(_e41, _e40, 1.0);
     }
@@ -2635,10 +2643,10 @@ Outgoing outgoing(Surface s_16, vec3 wo_1, vec3 hero_2) {
     const bool _e49 = hasLayers;
     const bool _e54 = hasGlass;
     if (pick(pick(_e45, true, pick(_e47, !(_e49), false)), true, _e54)) {
-        float _e58 = reflectionBound(wo_1, s_16.alpha);
+        float _e58 = reflectionBound(wo_1, s_15.alpha);
         bool _e59 = isDielectric(code_12);
         o_2.bound = pick(_e59, 1.0, _e58);
-        float _e64 = stretched(wo_1, s_16.alpha);
+        float _e64 = stretched(wo_1, s_15.alpha);
         o_2.stretched = _e64;
     }
     Outgoing _e65 = o_2;
@@ -2710,14 +2718,14 @@ float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_17, float cosine_15, float ratio_4) {
+vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_13 = uint(s_17.code);
+    uint code_13 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         const bool _e11 = hasLayers;
         if (!(_e11)) {
-            vec3 _e15 = metallicRoughnessF0_(s_17.baseColor, s_17.metallic);
+            vec3 _e15 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
             vec3 _e16 = schlick(_e15, cosine_15);
             reflectance = _e16;
         }
@@ -2725,7 +2733,7 @@ vec3 facetReflectance(Surface s_17, float cosine_15, float ratio_4) {
     const bool _e18 = hasConductors;
     if (_e18) {
         vec3 _e19 = reflectance;
-        vec3 _e23 = conductorReflectance(s_17.baseColor, s_17.eta, s_17.k, cosine_15);
+        vec3 _e23 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
         bool _e24 = isConductor(code_13);
         reflectance = pick(_e24, _e23, _e19);
     }
@@ -2754,8 +2762,8 @@ bool isSolidHere() {
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_32 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_32 * s_32);
+    float s_31 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_31 * s_31);
     float least_2 = min(alpha_6.x, alpha_6.y);
     float a2_2 = (least_2 * least_2);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
@@ -2780,33 +2788,33 @@ vec3 toWorld0_(Basis b_6, vec3 v_12) {
     return (((v_12.x * b_6.tangent) + (v_12.y * b_6.bitangent)) + (v_12.z * b_6.normal));
 }
 
-Parting partingOf(Surface s_18, Reflectance r_1) {
+Parting partingOf(Surface s_17, Reflectance r_1) {
     Parting parting = Parting(vec3(0.0), vec3(0.0));
-    vec3 toward = mix(r_1.dielectric, r_1.metal, s_18.metallic);
+    vec3 toward = mix(r_1.dielectric, r_1.metal, s_17.metallic);
     parting = Parting(toward, vec3(0.0));
     const bool _e11 = hasTransmission;
     if (_e11) {
         float _e16 = greatest(r_1.dielectric);
-        float enters_1 = ((1.0 - s_18.metallic) * (1.0 - _e16));
+        float enters_1 = ((1.0 - s_17.metallic) * (1.0 - _e16));
         vec3 _e24 = stackHere.hero;
         bool _e27 = stackHere.inside;
         float _e32 = layersHere.transmission;
         vec3 _e38 = stackHere.hero;
-        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_18.baseColor) * _e38));
+        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_17.baseColor) * _e38));
     }
     Parting _e41 = parting;
     return _e41;
 }
 
-float shareToward(Surface s_19, Reflectance bare) {
-    Parting _e2 = partingOf(s_19, bare);
+float shareToward(Surface s_18, Reflectance bare) {
+    Parting _e2 = partingOf(s_18, bare);
     float _e4 = mean3_(_e2.toward);
     float _e6 = mean3_(_e2.beyond);
     float _e13 = layersHere.film;
     return pick((_e6 > 0.0), mix((_e4 / max((_e4 + _e6), 1e-20)), 0.5, (0.5 * _e13)), 1.0);
 }
 
-LayeredSample sampleLayered(Surface s_20, vec3 u_27) {
+LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
     Basis own_2 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec3 ownWo = vec3(0.0);
     vec3 h_3 = vec3(0.0);
@@ -2867,8 +2875,8 @@ LayeredSample sampleLayered(Surface s_20, vec3 u_27) {
         float _e104 = stackHere.ofCoat;
         float _e108 = stackHere.ofFacets;
         float left_1 = ((u_27.z - _e104) / max(_e108, 1e-20));
-        Reflectance _e113 = bareReflectance(s_20, oh);
-        float _e114 = shareToward(s_20, _e113);
+        Reflectance _e113 = bareReflectance(s_19, oh);
+        float _e114 = shareToward(s_19, _e113);
         crossing = pick(!(isCoat_1), (left_1 >= _e114), false);
         vec3 _e121 = h_3;
         float _e124 = stackHere.ratio;
@@ -2886,7 +2894,7 @@ LayeredSample sampleLayered(Surface s_20, vec3 u_27) {
             vec3 _e141 = own_2.normal;
             vec3 _e142 = met;
             float _e147 = met.z;
-            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_20.eta.x < 0.0), false));
+            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_19.eta.x < 0.0), false));
         }
     }
     vec3 _e156 = met;
@@ -2919,13 +2927,13 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_21, Outgoing o_4, vec3 u_28) {
+BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_3 = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_10 = o_4.wo;
-    float _e5 = mirrorShare(s_21.reflectivity);
+    float _e5 = mirrorShare(s_20.reflectivity);
     float base_2 = (1.0 - _e5);
     float choice_2 = ((u_28.z - _e5) / base_2);
     vec3 _e12 = sampleCosine(u_28.xy);
@@ -2935,12 +2943,12 @@ BsdfSample sampleLobe(Surface s_21, Outgoing o_4, vec3 u_28) {
     const bool _e24 = hasLayers;
     const bool _e29 = hasGlass;
     if (pick(pick(_e20, true, pick(_e22, !(_e24), false)), true, _e29)) {
-        uint code_14 = uint(s_21.code);
+        uint code_14 = uint(s_20.code);
         bool _e33 = isDielectric(code_14);
         bool _e34 = isSmooth(code_14);
-        vec3 _e37 = sampleFacet(s_21.alpha, _e34, o_4, u_28.xy);
+        vec3 _e37 = sampleFacet(s_20.alpha, _e34, o_4, u_28.xy);
         float oh_1 = max(dot(wo_10, _e37), 0.0);
-        vec3 _e42 = facetReflectance(s_21, oh_1, o_4.ratio);
+        vec3 _e42 = facetReflectance(s_20, oh_1, o_4.ratio);
         bool crossing_2 = pick(_e33, (choice_2 >= _e42.x), false);
         wi = (((2.0 * oh_1) * _e37) - wo_10);
         probability_3 = (base_2 * o_4.share);
@@ -2972,9 +2980,9 @@ BsdfSample sampleLobe(Surface s_21, Outgoing o_4, vec3 u_28) {
     }
     const bool _e120 = hasLayers;
     if (_e120) {
-        bool _e123 = isLayered(uint(s_21.code));
+        bool _e123 = isLayered(uint(s_20.code));
         if (_e123) {
-            LayeredSample _e126 = sampleLayered(s_21, vec3(u_28.xy, choice_2));
+            LayeredSample _e126 = sampleLayered(s_20, vec3(u_28.xy, choice_2));
             drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), vec3(0.0), _e126.delta);
         }
     }
@@ -3004,19 +3012,19 @@ bool hidesApart(uint code_11) {
     return ((code_11 & 64u) != 0u);
 }
 
-vec3 compensation(Surface s_22, float cosine_16) {
-    uint code_15 = uint(s_22.code);
+vec3 compensation(Surface s_21, float cosine_16) {
+    uint code_15 = uint(s_21.code);
     bool _e8 = isDielectric(code_15);
     bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_16, s_22.alpha);
-    vec3 _e17 = facetReflectance(s_22, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_16, s_21.alpha);
+    vec3 _e17 = facetReflectance(s_21, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_23, Outgoing o_5, vec3 wi_1) {
+FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
     vec3 passes = vec3(0.0);
     vec3 wo_11 = o_5.wo;
-    bool _e6 = isDielectric(uint(s_23.code));
+    bool _e6 = isDielectric(uint(s_22.code));
     const bool _e8 = hasGlass;
     bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
     vec3 m_4 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
@@ -3027,46 +3035,46 @@ FacetLobe evaluateFacets(Surface s_23, Outgoing o_5, vec3 wi_1) {
     float zo = abs(wo_11.z);
     float zi = abs(wi_1.z);
     bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
-    float _e54 = facetDensity(h_10, s_23.alpha);
+    float _e54 = facetDensity(h_10, s_22.alpha);
     float spread_1 = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
-    vec3 _e62 = facetReflectance(s_23, abs(oh_2), o_5.ratio);
+    vec3 _e62 = facetReflectance(s_22, abs(oh_2), o_5.ratio);
     passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
-    float _e69 = stretched(wi_1, s_23.alpha);
+    float _e69 = stretched(wi_1, s_22.alpha);
     float apart = ((0.5 * (zo + o_5.stretched)) * (zi + _e69));
-    bool _e82 = hidesApart(uint(s_23.code));
+    bool _e82 = hidesApart(uint(s_22.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
     float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
-        vec3 _e100 = compensation(s_23, zo);
+        vec3 _e100 = compensation(s_22, zo);
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
     return FacetLobe(((_e102 * spread_1) * masked), ((spread_1 * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
 }
 
-vec4 evaluateBsdf(Surface s_24, Outgoing o_6, vec3 wi_2) {
+vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_24.baseColor, 1.0) * lambert);
+    value = (vec4(s_23.baseColor, 1.0) * lambert);
     dark = pick((o_6.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e27 = hasLayers;
     const bool _e32 = hasGlass;
     if (pick(pick(_e23, true, pick(_e25, !(_e27), false)), true, _e32)) {
-        uint code_16 = uint(s_24.code);
-        FacetLobe _e36 = evaluateFacets(s_24, o_6, wi_2);
+        uint code_16 = uint(s_23.code);
+        FacetLobe _e36 = evaluateFacets(s_23, o_6, wi_2);
         const bool _e41 = hasMetallicRoughness;
         if (_e41) {
             const bool _e43 = hasLayers;
             if (!(_e43)) {
                 vec3 _e45 = base;
-                vec3 _e49 = metallicRoughnessDiffuse(s_24.baseColor, s_24.metallic, _e36.cosine);
+                vec3 _e49 = metallicRoughnessDiffuse(s_23.baseColor, s_23.metallic, _e36.cosine);
                 bool _e50 = isMetallicRoughness(code_16);
                 base = pick(_e50, _e49, _e45);
             }
@@ -3082,7 +3090,7 @@ vec4 evaluateBsdf(Surface s_24, Outgoing o_6, vec3 wi_2) {
         bool _e75 = isDielectric(code_16);
         dark = pick(_e75, _e74, _e73);
     }
-    float _e78 = mirrorShare(s_24.reflectivity);
+    float _e78 = mirrorShare(s_23.reflectivity);
     vec4 _e81 = value;
     bool _e85 = dark;
     return pick(_e85, vec4(0.0), ((1.0 - _e78) * _e81));
@@ -3213,19 +3221,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17)
     return clamp(_e90, vec3(0.0), vec3(1.0));
 }
 
-Reflectance filmedReflectance(Surface s_25, Reflectance bare_1, float cosine_18) {
+Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18) {
     Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
     bool isMetal = false;
     r_2 = bare_1;
     float _e6 = layersHere.film;
     if ((_e6 > 0.0)) {
         float _e9 = outerCosine(cosine_18);
-        isMetal = (s_25.metallic >= 1.0);
+        isMetal = (s_24.metallic >= 1.0);
         while(true) {
             float _e16 = layersHere.specularWeight;
             vec3 _e17 = dielectricF0_();
             bool _e20 = isMetal;
-            vec3 f0_4 = pick(_e20, s_25.baseColor, (_e16 * _e17));
+            vec3 f0_4 = pick(_e20, s_24.baseColor, (_e16 * _e17));
             float _e24 = layersHere.filmIor;
             float _e27 = layersHere.filmThickness;
             vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
@@ -3240,7 +3248,7 @@ Reflectance filmedReflectance(Surface s_25, Reflectance bare_1, float cosine_18)
                 r_2.dielectric = mix(_e39, _e28, _e42);
             }
             bool _e44 = isMetal;
-            if (pick(_e44, true, (s_25.metallic <= 0.0))) {
+            if (pick(_e44, true, (s_24.metallic <= 0.0))) {
                 break;
             }
             isMetal = true;
@@ -3263,8 +3271,8 @@ float shadowingExponent(float x_17, float alpha_11) {
     float b_13 = mix(3.82987, 3.32435, m_6);
     float c_6 = mix(0.19823, 0.16801, m_6);
     float d_4 = mix(-1.9776, -1.27393, m_6);
-    float e_26 = mix(-4.32054, -4.85967, m_6);
-    return (((a_10 / (1.0 + (b_13 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
+    float e_28 = mix(-4.32054, -4.85967, m_6);
+    return (((a_10 / (1.0 + (b_13 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_28);
 }
 
 float sheenShadowing(float cosine_19, float alpha_12) {
@@ -3343,7 +3351,7 @@ float ofBeyond() {
     return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
 }
 
-LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byMirror) {
+LayeredPair evaluateLayers(Surface s_25, vec3 toLight_3, vec3 toSample, bool byMirror) {
     LayeredPair pair_2 = LayeredPair(vec4(0.0), vec4(0.0));
     bool isLight = false;
     bool isFirst = true;
@@ -3355,7 +3363,7 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
     isLight = (_e12 > 0u);
     while(true) {
         bool _e23 = isLight;
-        vec3 given_2 = pick(_e23, toLight_2, toSample);
+        vec3 given_2 = pick(_e23, toLight_3, toSample);
         float _e29 = stackHere.side;
         vec3 wi_6 = vec3(given_2.xy, (given_2.z * _e29));
         vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
@@ -3365,13 +3373,13 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
         float _e47 = stackHere.coat;
         bool _e50 = isSolidHere();
         bool _e53 = stackHere.inside;
-        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_26.metallic < 1.0), false));
+        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_25.metallic < 1.0), false));
         const bool _e62 = hasCoats;
         const bool _e64 = hasTransmission;
         bool _e66 = isFirst;
         bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
         const bool _e70 = hasCoatNormals;
-        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_26.eta.x >= 0.0), false)), false);
+        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_25.eta.x >= 0.0), false)), false);
         bool _e78 = isSolidHere();
         bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
         Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
@@ -3384,17 +3392,17 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
         float _e109 = stackHere.wo.z;
         bool _e112 = stackHere.inside;
         float cosine_23 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
-        Reflectance _e116 = bareReflectance(s_26, cosine_23);
+        Reflectance _e116 = bareReflectance(s_25, cosine_23);
         r_3 = _e116;
         const bool _e119 = hasIridescence;
         if (_e119) {
-            Reflectance _e120 = filmedReflectance(s_26, _e116, cosine_23);
+            Reflectance _e120 = filmedReflectance(s_25, _e116, cosine_23);
             r_3 = _e120;
         }
         float _e121 = intoBody;
         vec3 _e126 = r_3.dielectric;
         float _e127 = greatest(_e126);
-        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_26.metallic) * (1.0 - _e127)), _e121);
+        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_25.metallic) * (1.0 - _e127)), _e121);
         if (isCoat_2) {
             float _e136 = stackHere.coat;
             float _e141 = stackHere.ofCoat;
@@ -3403,14 +3411,14 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
         } else {
             Cover0_ _e148 = coverTowards(wi_6, crossing_4);
             Reflectance _e149 = r_3;
-            Parting _e150 = partingOf(s_26, _e149);
+            Parting _e150 = partingOf(s_25, _e149);
             vec3 _e155 = stackHere.more;
             vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
             float _e165 = stackHere.ofFacets;
             chosen_1 = _e165;
             const bool _e168 = hasTransmission;
             if (_e168) {
-                float _e169 = shareToward(s_26, _e116);
+                float _e169 = shareToward(s_25, _e116);
                 float _e170 = chosen_1;
                 float _e176 = stackHere.ratio;
                 float _e179 = stackHere.ratio;
@@ -3422,7 +3430,7 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
             float _e193 = layersHere.beyond;
             float _e200 = layersHere.beyond;
             vec3 _e203 = layersHere.beyondColor;
-            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_26.baseColor));
+            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_25.baseColor));
             float _e207 = intoBody;
             float _e211 = layersHere.transmission;
             vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
@@ -3451,20 +3459,20 @@ LayeredPair evaluateLayers(Surface s_26, vec3 toLight_2, vec3 toSample, bool byM
     return _e255;
 }
 
-Pair evaluatePair(Surface s_27, Outgoing o_7, vec3 toLight_3, BsdfSample drawn_3) {
+Pair evaluatePair(Surface s_26, Outgoing o_7, vec3 toLight_4, BsdfSample drawn_3) {
     Pair pair_3 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
-    vec4 _e4 = evaluateBsdf(s_27, o_7, toLight_3);
-    vec4 _e6 = evaluateBsdf(s_27, o_7, drawn_3.direction);
+    vec4 _e4 = evaluateBsdf(s_26, o_7, toLight_4);
+    vec4 _e6 = evaluateBsdf(s_26, o_7, drawn_3.direction);
     BsdfSample _e7 = completed(drawn_3, _e6);
     pair_3 = Pair(_e4, _e7);
     const bool _e11 = hasLayers;
     if (_e11) {
-        bool _e14 = isLayered(uint(s_27.code));
+        bool _e14 = isLayered(uint(s_26.code));
         if (_e14) {
             bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
-            float _e24 = mirrorShare(s_27.reflectivity);
+            float _e24 = mirrorShare(s_26.reflectivity);
             float base_3 = (1.0 - _e24);
-            LayeredPair _e28 = evaluateLayers(s_27, toLight_3, drawn_3.direction, byMirror_1);
+            LayeredPair _e28 = evaluateLayers(s_26, toLight_4, drawn_3.direction, byMirror_1);
             pair_3.toLight = (base_3 * _e28.toLight);
             BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_3 * _e28.toSample));
             pair_3.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
@@ -3487,17 +3495,17 @@ bool isFlat(uint i_25) {
     return (i_25 >= _e4);
 }
 
-void scatter(inout Path p_19, PairHit hit_4, Meeting m_2, Lit lit_1) {
+void scatter(inout Path p_22, PairHit hit_4, Meeting m_2, Lit lit_1) {
     vec3 hero_3 = vec3(1.0);
-    RayPair rays_4 = p_19.rays;
+    RayPair rays_4 = p_22.rays;
     bool escaped_1 = (hit_4.shape == noShape);
     LightSample light_2 = lit_1.light;
     const bool _e14 = hasTransmission;
     if (_e14) {
         float _e18 = layersHere.dispersion;
         if (pick(m_2.isClear, (_e18 > 0.0), false)) {
-            vec3 _e23 = p_19.throughput;
-            float _e25 = nextHash(p_19.sampler_);
+            vec3 _e23 = p_22.throughput;
+            float _e25 = nextHash(p_22.sampler_);
             vec3 _e26 = heroColor(_e23, _e25);
             hero_3 = _e26;
         }
@@ -3511,51 +3519,50 @@ void scatter(inout Path p_19, PairHit hit_4, Meeting m_2, Lit lit_1) {
     bool opaque = pick(_e40, !(m_2.isClear), false);
     bool _e48 = crosses(m_2.geometric, light_2.direction, -(rays_4.direction));
     bool lightLeaks = pick(opaque, _e48, false);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e38.toLight);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e38.toLight);
     bool alone = pick(light_2.delta, true, pick((lit_1.shape < 0.0), (light_2.distance_ < 1e30), false));
-    float _e65 = misWeight(lit_1.pdf, toLight_7.w);
+    float _e65 = misWeight(lit_1.pdf, toLight_8.w);
     float lightWeight = (pick(alone, 1.0, _e65) / lit_1.pdf);
     BsdfSample bsdf = _e38.drawn;
     vec3 _e73 = toWorld0_(m_2.basis, bsdf.direction);
     bool _e77 = crosses(m_2.geometric, _e73, -(rays_4.direction));
     bool leaks = pick(opaque, _e77, false);
-    uint _e81 = p_19.depth;
+    uint _e81 = p_22.depth;
     uint _e84 = frame.maxDepth;
     bool goesOn = pick(!(escaped_1), (_e81 != _e84), false);
-    vec3 _e88 = p_19.throughput;
-    vec3 contribution = (((_e88 * toLight_7.xyz) * light_2.radiance) * lightWeight);
-    bool isLit = pick(pick(goesOn, (lit_1.pdf > 0.0), false), any(greaterThan((toLight_7.xyz * light_2.radiance), vec3(0.0))), false);
-    p_19.light = pick(isLit, contribution, vec3(0.0));
-    vec3 _e111 = p_19.throughput;
+    vec3 _e88 = p_22.throughput;
+    vec3 contribution = (((_e88 * toLight_8.xyz) * light_2.radiance) * lightWeight);
+    bool isLit = pick(pick(goesOn, (lit_1.pdf > 0.0), false), any(greaterThan((toLight_8.xyz * light_2.radiance), vec3(0.0))), false);
+    p_22.light = pick(isLit, contribution, vec3(0.0));
+    vec3 _e111 = p_22.throughput;
     vec3 throughput_1 = (_e111 * bsdf.weight);
     float _e114 = max3_(throughput_1);
-    uint _e120 = p_19.depth;
+    uint _e120 = p_22.depth;
     float survival = pick((_e120 < rouletteDepth), 1.0, min((_e114 / 0.33333334), 0.95));
-    float _e132 = max3_(throughput_1);
-    float _e137 = nextHash(p_19.sampler_);
-    p_19.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e132 > 0.0), false), (_e137 < survival), false);
-    uint _e142 = p_19.depth;
-    p_19.depth = (_e142 + 1u);
-    const bool _e145 = hasMeshes;
-    bool stays = pick(!(_e145), escaped_1, false);
-    vec3 _e152 = p_19.throughput;
-    p_19.throughput = pick(stays, _e152, (throughput_1 / vec3(survival)));
-    float _e160 = p_19.pdf;
-    p_19.pdf = pick(stays, _e160, pick(bsdf.delta, 0.0, bsdf.pdf));
-    vec3 _e163 = litSideOf(m_2);
-    vec3 _e165 = p_19.litSide;
-    p_19.litSide = pick(stays, _e165, _e163);
-    float _e173 = p_19.odds.total;
-    p_19.odds.total = pick(stays, _e173, lit_1.odds.total);
-    float _e181 = p_19.odds.tree;
-    p_19.odds.tree = pick(stays, _e181, lit_1.odds.tree);
-    bool _e184 = isFlat(m_2.shape);
-    bool solid = !(_e184);
+    float _e131 = max3_(throughput_1);
+    float _e136 = nextHash(p_22.sampler_);
+    bool alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e131 > 0.0), false), (_e136 < survival), false);
+    uint _e141 = p_22.depth;
+    p_22.depth = (_e141 + 1u);
+    const bool _e144 = hasMeshes;
+    bool stays = pick(!(_e144), escaped_1, false);
+    vec3 _e151 = p_22.throughput;
+    p_22.throughput = pick(stays, _e151, (throughput_1 / vec3(survival)));
+    float _e159 = p_22.pdf;
+    p_22.pdf = pick(stays, _e159, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e162 = litSideOf(m_2);
+    vec3 _e164 = p_22.litSide;
+    p_22.litSide = pick(stays, _e164, _e162);
+    float _e172 = p_22.odds.total;
+    p_22.odds.total = pick(stays, _e172, lit_1.odds.total);
+    float _e180 = p_22.odds.tree;
+    p_22.odds.tree = pick(stays, _e180, lit_1.odds.tree);
+    bool _e183 = isFlat(m_2.shape);
+    bool solid = !(_e183);
     uint lightShape = pick((lit_1.shape >= 0.0), uint(max(lit_1.shape, 0.0)), noShape);
-    bool _e206 = p_19.alive;
-    Sampler _e225 = p_19.sampler_;
-    uint _e226 = numberOfNext(_e225);
-    p_19.rays = RayPair(pick(stays, rays_4.point, m_2.point), m_2.shape, hit_4.triangle, (1e-5 * length(m_2.point)), _e206, pick(stays, rays_4.direction, _e73), pick(solid, (dot(_e73, m_2.outward) < 0.0), false), light_2.direction, pick(solid, (dot(light_2.direction, m_2.outward) < 0.0), false), pick(isLit, light_2.distance_, -1.0), lightShape, _e226);
+    Sampler _e222 = p_22.sampler_;
+    uint _e223 = numberOfNext(_e222);
+    p_22.rays = RayPair(pick(stays, rays_4.point, m_2.point), m_2.shape, hit_4.triangle, (1e-5 * length(m_2.point)), alive, pick(stays, rays_4.direction, _e73), pick(solid, (dot(_e73, m_2.outward) < 0.0), false), light_2.direction, pick(solid, (dot(light_2.direction, m_2.outward) < 0.0), false), pick(isLit, light_2.distance_, -1.0), lightShape, _e223);
     return;
 }
 
@@ -3570,19 +3577,19 @@ vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_18));
 }
 
-bool isOnDisc(Emitter e_23, vec3 direction_19) {
-    vec3 chord = (direction_19 + e_23.u);
-    return ((3.1415927 * dot(chord, chord)) < e_23.area);
+bool isOnDisc(Emitter e_24, vec3 direction_18) {
+    vec3 chord = (direction_18 + e_24.u);
+    return ((3.1415927 * dot(chord, chord)) < e_24.area);
 }
 
-float directionalPdf(Emitter e_24, vec3 direction_20) {
-    bool _e7 = isOnDisc(e_24, direction_20);
-    return pick(_e7, (1.0 / max(e_24.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_25, vec3 direction_19) {
+    bool _e7 = isOnDisc(e_25, direction_19);
+    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
 }
 
 void main() {
     vec4 fragment_3 = gl_FragCoord;
-    Path p_1 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p_2 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     uvec2 texel_7 = uvec2(fragment_3.xy);
     bool _e3 = wasOver(texel_7);
     if (_e3) {
@@ -3590,9 +3597,9 @@ void main() {
     }
     PairHit _e4 = hitAt(texel_7);
     uvec4 start = texelFetch(choice0, ivec2(texel_7), 0);
-    uvec4 direction_23 = texelFetch(choice1, ivec2(texel_7), 0);
+    uvec4 direction_22 = texelFetch(choice1, ivec2(texel_7), 0);
     uvec4 _e13 = texelFetch(choice2, ivec2(texel_7), 0);
-    vec4 toLight_8 = uintBitsToFloat(_e13);
+    vec4 toLight_9 = uintBitsToFloat(_e13);
     uvec4 _e17 = texelFetch(choice3, ivec2(texel_7), 0);
     vec4 light_3 = uintBitsToFloat(_e17);
     uvec4 _e21 = texelFetch(choice4, ivec2(texel_7), 0);
@@ -3601,22 +3608,22 @@ void main() {
     uvec4 _e28 = texelFetch(choice6, ivec2(texel_7), 0);
     vec4 radiance_1 = uintBitsToFloat(_e28);
     uvec4 numbers = texelFetch(choice7, ivec2(texel_7), 0);
-    uint flags_2 = direction_23.w;
-    bool alive = ((flags_2 & aliveFlag) != 0u);
+    uint flags_2 = direction_22.w;
+    bool alive_1 = ((flags_2 & aliveFlag) != 0u);
     vec3 _e38 = vectorOf(start);
-    Odds odds_2 = Odds(uintBitsToFloat(numbers.y), radiance_1.w);
+    Odds odds_3 = Odds(uintBitsToFloat(numbers.y), radiance_1.w);
     float _e45 = tMinAt(_e38, flags_2);
-    vec3 _e46 = vectorOf(direction_23);
-    RayPair rays_5 = RayPair(_e38, start.w, noTriangle, _e45, alive, _e46, ((flags_2 & inwardsFlag) != 0u), toLight_8.xyz, false, -1.0, noShape, 0u);
+    vec3 _e46 = vectorOf(direction_22);
+    RayPair rays_5 = RayPair(_e38, start.w, noTriangle, _e45, alive_1, _e46, ((flags_2 & inwardsFlag) != 0u), toLight_9.xyz, false, -1.0, noShape, 0u);
     Sampler _e70 = samplerAt(texel_7, u_30.w);
-    p_1 = Path(rays_5, vec3(0.0), alive, throughput_2.xyz, ((flags_2 & escapedFlag) != 0u), (flags_2 >> depthShift), radiance_1.xyz, throughput_2.w, toLight_8.xyz, odds_2, _e70);
-    if (alive) {
-        LightSample sample_ = LightSample(toLight_8.xyz, toLight_8.w, light_3.xyz, light_3.w, (numbers.z != 0u));
-        Meeting _e81 = meetingAt(p_1, _e4);
+    p_2 = Path(rays_5, vec3(0.0), throughput_2.xyz, ((flags_2 & escapedFlag) != 0u), (flags_2 >> depthShift), radiance_1.xyz, throughput_2.w, toLight_9.xyz, odds_3, _e70);
+    if (alive_1) {
+        LightSample sample_ = LightSample(toLight_9.xyz, toLight_9.w, light_3.xyz, light_3.w, (numbers.z != 0u));
+        Meeting _e81 = meetingAt(p_2, _e4);
         vec3 _e85 = vectorOf(u_30);
-        scatter(p_1, _e4, _e81, Lit(sample_, light_3.w, uintBitsToFloat(numbers.x), odds_2, _e85));
+        scatter(p_2, _e4, _e81, Lit(sample_, light_3.w, uintBitsToFloat(numbers.x), odds_3, _e85));
     }
-    Path _e87 = p_1;
+    Path _e87 = p_2;
     PathWords _e88 = written(_e87);
     _fs2p_location0 = _e88.start;
     _fs2p_location1 = _e88.direction;

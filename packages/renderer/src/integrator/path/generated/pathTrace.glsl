@@ -67,7 +67,6 @@ struct Sampler {
 struct Path {
     RayPair rays;
     vec3 light;
-    bool alive;
     vec3 throughput;
     bool escaped;
     uint depth;
@@ -640,13 +639,13 @@ vec3 vectorOf(uvec4 words_2) {
     return uintBitsToFloat(words_2.xyz);
 }
 
-bool isOver(Path p_3) {
-    return pick(!(p_3.alive), (p_3.rays.lightDistance < 0.0), false);
+bool isOver(Path p_4) {
+    return pick(!(p_4.rays.goesOn), (p_4.rays.lightDistance < 0.0), false);
 }
 
-uint flagsOf(Path p_4) {
-    bool _e24 = isOver(p_4);
-    return (((((pick(p_4.alive, aliveFlag, 0u) | pick(p_4.rays.inwards, inwardsFlag, 0u)) | pick(p_4.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_4.escaped, escapedFlag, 0u)) | pick(_e24, overFlag, 0u)) | (p_4.depth << depthShift));
+uint flagsOf(Path p_5) {
+    bool _e25 = isOver(p_5);
+    return (((((pick(p_5.rays.goesOn, aliveFlag, 0u) | pick(p_5.rays.inwards, inwardsFlag, 0u)) | pick(p_5.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_5.escaped, escapedFlag, 0u)) | pick(_e25, overFlag, 0u)) | (p_5.depth << depthShift));
 }
 
 uvec2 pixelOf(uvec2 texel) {
@@ -656,8 +655,8 @@ uvec2 pixelOf(uvec2 texel) {
 }
 
 uint pcg(uint x) {
-    uint s_28 = ((x * 747796405u) + 2891336453u);
-    uint w_7 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
+    uint s_27 = ((x * 747796405u) + 2891336453u);
+    uint w_7 = (((s_27 >> ((s_27 >> 28u) + 4u)) ^ s_27) * 277803737u);
     return ((w_7 >> 22u) ^ w_7);
 }
 
@@ -734,17 +733,17 @@ Sampler samplerAt(uvec2 texel_1, uint key) {
     return _e12;
 }
 
-PathWords written(Path p_5) {
-    RayPair rays_2 = p_5.rays;
+PathWords written(Path p_6) {
+    RayPair rays_2 = p_6.rays;
     uvec4 _e4 = words_1(rays_2.point, rays_2.shape);
-    uint _e6 = flagsOf(p_5);
+    uint _e6 = flagsOf(p_6);
     uvec4 _e7 = words_1(rays_2.direction, _e6);
     uvec4 _e10 = wordsOf(rays_2.lightDirection, rays_2.lightDistance);
-    uvec4 _e13 = words_1(p_5.light, rays_2.lightShape);
-    uvec4 _e16 = wordsOf(p_5.throughput, p_5.pdf);
-    uvec4 _e20 = wordsOf(p_5.litSide, p_5.odds.total);
-    uvec4 _e24 = wordsOf(p_5.radiance, p_5.odds.tree);
-    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_5.sampler_.key, 0u));
+    uvec4 _e13 = words_1(p_6.light, rays_2.lightShape);
+    uvec4 _e16 = wordsOf(p_6.throughput, p_6.pdf);
+    uvec4 _e20 = wordsOf(p_6.litSide, p_6.odds.total);
+    uvec4 _e24 = wordsOf(p_6.radiance, p_6.odds.tree);
+    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_6.sampler_.key, 0u));
 }
 
 float tMinAt(vec3 point, uint flags) {
@@ -759,9 +758,9 @@ uint numberOfNext(Sampler s_1) {
 
 Path pathAt(uvec2 texel_2) {
     uvec4 start = texelFetch(path0, ivec2(texel_2), 0);
-    uvec4 direction_22 = texelFetch(path1, ivec2(texel_2), 0);
+    uvec4 direction_21 = texelFetch(path1, ivec2(texel_2), 0);
     uvec4 _e9 = texelFetch(path2, ivec2(texel_2), 0);
-    vec4 toLight_4 = uintBitsToFloat(_e9);
+    vec4 toLight_5 = uintBitsToFloat(_e9);
     uvec4 light_1 = texelFetch(path3, ivec2(texel_2), 0);
     uvec4 _e16 = texelFetch(path4, ivec2(texel_2), 0);
     vec4 throughput_1 = uintBitsToFloat(_e16);
@@ -770,16 +769,24 @@ Path pathAt(uvec2 texel_2) {
     uvec4 _e24 = texelFetch(path6, ivec2(texel_2), 0);
     vec4 radiance_1 = uintBitsToFloat(_e24);
     uvec4 numbers = texelFetch(path7, ivec2(texel_2), 0);
-    uint flags_1 = direction_22.w;
+    uint flags_1 = direction_21.w;
     vec3 _e30 = vectorOf(start);
     bool alive = ((flags_1 & aliveFlag) != 0u);
     Sampler _e36 = samplerAt(texel_2, numbers.z);
     float _e41 = tMinAt(_e30, flags_1);
-    vec3 _e42 = vectorOf(direction_22);
+    vec3 _e42 = vectorOf(direction_21);
     uint _e54 = numberOfNext(_e36);
-    RayPair rays_3 = RayPair(_e30, start.w, LeftTriangle(numbers.x, numbers.y), _e41, alive, _e42, ((flags_1 & inwardsFlag) != 0u), toLight_4.xyz, ((flags_1 & lightInwardsFlag) != 0u), toLight_4.w, light_1.w, _e54);
+    RayPair rays_3 = RayPair(_e30, start.w, LeftTriangle(numbers.x, numbers.y), _e41, alive, _e42, ((flags_1 & inwardsFlag) != 0u), toLight_5.xyz, ((flags_1 & lightInwardsFlag) != 0u), toLight_5.w, light_1.w, _e54);
     vec3 _e56 = vectorOf(light_1);
-    return Path(rays_3, _e56, alive, throughput_1.xyz, ((flags_1 & escapedFlag) != 0u), (flags_1 >> depthShift), radiance_1.xyz, throughput_1.w, litSide.xyz, Odds(litSide.w, radiance_1.w), _e36);
+    return Path(rays_3, _e56, throughput_1.xyz, ((flags_1 & escapedFlag) != 0u), (flags_1 >> depthShift), radiance_1.xyz, throughput_1.w, litSide.xyz, Odds(litSide.w, radiance_1.w), _e36);
+}
+
+Path noPath() {
+    Path p_7 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    p_7.rays.lightDirection = vec3(0.0, 1.0, 0.0);
+    p_7.rays.lightDistance = -1.0;
+    Path _e10 = p_7;
+    return _e10;
 }
 
 float filterAxis(float u) {
@@ -889,16 +896,12 @@ vec2 next2d(inout Sampler s_4) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_22 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_22.x) > abs(p_22.y));
-    float radius_1 = pick(wide, p_22.x, p_22.y);
-    float ratio_6 = (pick(wide, p_22.y, p_22.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_25 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_25.x) > abs(p_25.y));
+    float radius_1 = pick(wide, p_25.x, p_25.y);
+    float ratio_6 = (pick(wide, p_25.y, p_25.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
-}
-
-RayPair oneRay(vec3 origin, vec3 direction, uint number) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -911,10 +914,10 @@ Bounds fetchBounds(uint i) {
     return Bounds(_e2.xyz, _e2.w);
 }
 
-float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin_1);
-    float along = dot(toCenter, direction_1);
-    vec3 across_1 = (toCenter - (along * direction_1));
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_1 = (toCenter - (along * direction));
     float discriminant = ((radius * radius) - dot(across_1, across_1));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
@@ -923,20 +926,20 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_6, uint i_1, vec2 t) {
-    bool own_4 = (i_1 == p_6.shape);
-    float pathT = pick(pick(own_4, !(p_6.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_4, !(p_6.lightInwards), false), true, (i_1 == p_6.lightShape)), 1e30, t.y);
+PairHit meet(PairHit found, RayPair p_9, uint i_1, vec2 t) {
+    bool own_4 = (i_1 == p_9.shape);
+    float pathT = pick(pick(own_4, !(p_9.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_4, !(p_9.lightInwards), false), true, (i_1 == p_9.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
-    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_6.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_9.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_7, uint i_2) {
+PairHit meetSphere(PairHit found_1, RayPair p_10, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_5 = (i_2 == p_7.shape);
-    float _e13 = intersectSphere(p_7.point, p_7.direction, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.inwards, false));
-    float _e21 = intersectSphere(p_7.point, p_7.lightDirection, _e3.center, _e3.radius, p_7.tMin, pick(own_5, p_7.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_7, i_2, vec2(_e13, _e21));
+    bool own_5 = (i_2 == p_10.shape);
+    float _e13 = intersectSphere(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.inwards, false));
+    float _e21 = intersectSphere(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin, pick(own_5, p_10.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_10, i_2, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -963,72 +966,72 @@ vec3 turned(vec4 q_1, vec3 v_3) {
     return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_2) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2, origin_3);
-    vec3 middle = (-(origin_3) * _e3);
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_10 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_10 > tMin_1), false), t_10, 1e30));
 }
 
-PairHit meetBox(PairHit found_2, RayPair p_8, uint i_4) {
+PairHit meetBox(PairHit found_2, RayPair p_11, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_6 = (i_4 == p_8.shape);
-    vec3 _e11 = turned(_e4.a, (p_8.point - _e3.center));
-    vec3 _e14 = turned(_e4.a, p_8.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_8.tMin, pick(own_6, p_8.inwards, false));
-    vec3 _e23 = turned(_e4.a, p_8.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_8.tMin, pick(own_6, p_8.lightInwards, false));
-    PairHit _e31 = meet(found_2, p_8, i_4, vec2(_e20, _e29));
+    bool own_6 = (i_4 == p_11.shape);
+    vec3 _e11 = turned(_e4.a, (p_11.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_11.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_11.tMin, pick(own_6, p_11.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_11.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_11.tMin, pick(own_6, p_11.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_11, i_4, vec2(_e20, _e29));
     return _e31;
 }
 
-float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_13 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_13);
-    vec3 toCenter_1 = (center_1 - origin_5);
-    float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_23 = ((t_11 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_23, reciprocalU)), abs(dot(p_23, reciprocalV))) <= 0.500001);
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_15 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_15);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_11 = (dot(toCenter_1, normal_15) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_26 = ((t_11 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_26, reciprocalU)), abs(dot(p_26, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_9, uint i_5) {
+PairHit meetQuad(PairHit found_3, RayPair p_12, uint i_5) {
     Bounds _e3 = fetchBounds(i_5);
     Extent _e4 = fetchExtent(i_5);
-    float _e13 = intersectQuad(p_9.point, p_9.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    float _e22 = intersectQuad(p_9.point, p_9.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_9.tMin);
-    PairHit _e24 = meet(found_3, p_9, i_5, vec2(_e13, _e22));
+    float _e13 = intersectQuad(p_12.point, p_12.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    float _e22 = intersectQuad(p_12.point, p_12.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_12.tMin);
+    PairHit _e24 = meet(found_3, p_12, i_5, vec2(_e13, _e22));
     return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_5, normal);
-    float t_12 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_12 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_12 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_12, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_10, uint i_6) {
+PairHit meetPlane(PairHit found_4, RayPair p_13, uint i_6) {
     Bounds _e3 = fetchBounds(i_6);
-    float _e9 = intersectPlane(p_10.point, p_10.direction, _e3.center, _e3.radius, p_10.tMin);
-    float _e15 = intersectPlane(p_10.point, p_10.lightDirection, _e3.center, _e3.radius, p_10.tMin);
-    PairHit _e17 = meet(found_4, p_10, i_6, vec2(_e9, _e15));
+    float _e9 = intersectPlane(p_13.point, p_13.direction, _e3.center, _e3.radius, p_13.tMin);
+    float _e15 = intersectPlane(p_13.point, p_13.lightDirection, _e3.center, _e3.radius, p_13.tMin);
+    PairHit _e17 = meet(found_4, p_13, i_6, vec2(_e9, _e15));
     return _e17;
 }
 
@@ -1050,20 +1053,20 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+SlabRay slabRay(vec3 origin_6, vec3 direction_5) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_5, vec3(1e-18), lessThan(abs(direction_5), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_6) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_5, vec3(0.0))))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_4) {
     return pick((axis == 0u), v_4.yzx, pick((axis == 1u), v_4.zxy, v_4));
 }
 
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
+MeshRay meshRay(vec3 origin_7, vec3 direction_6) {
+    vec3 size_1 = abs(direction_6);
     uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+    vec3 _e16 = turnedTo(axis_3, direction_6);
+    return MeshRay(origin_7, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 vec4 larger(vec4 a, vec4 b) {
@@ -1097,9 +1100,9 @@ vec4 enterChildren(uint node, SlabRay r, float t_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_24 = (a_2.x * b_2.y);
+    float p_27 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_24)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_27)));
 }
 
 bool isWithin(float u_4, float v_5, float w_3) {
@@ -1242,7 +1245,7 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
+bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
@@ -1257,7 +1260,7 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
     }
-    uint _e57 = pcg(number_1);
+    uint _e57 = pcg(number);
     uint _e59 = pcg((instance + _e57));
     uint _e61 = pcg((place + _e59));
     float _e62 = unitFloat(_e61);
@@ -1320,8 +1323,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e104 = instance_1;
                 Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
                 vec3 _e109 = o;
-                vec4 p_25 = vec4(_e109, 1.0);
-                o = vec3(dot(_e108.toMeshX, p_25), dot(_e108.toMeshY, p_25), dot(_e108.toMeshZ, p_25));
+                vec4 p_28 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_28), dot(_e108.toMeshY, p_28), dot(_e108.toMeshZ, p_28));
                 vec3 _e121 = d_1;
                 vec3 _e125 = d_1;
                 vec3 _e129 = d_1;
@@ -1520,11 +1523,11 @@ uint rowOfInstance(uint instance_2) {
     return _e7.row;
 }
 
-PairHit meetMeshes(PairHit found_6, RayPair p_11) {
+PairHit meetMeshes(PairHit found_6, RayPair p_14) {
     PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
-    float most_1 = pick(p_11.goesOn, found_6.t, -1.0);
-    float lightMost = pick(found_6.blocked, -1.0, p_11.lightDistance);
-    MeshHit _e17 = traverse(MeshRays(p_11.point, p_11.direction, p_11.lightDirection, p_11.tMin, most_1, lightMost, p_11.number), p_11.left);
+    float most_1 = pick(p_14.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_14.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_14.point, p_14.direction, p_14.lightDirection, p_14.tMin, most_1, lightMost, p_14.number), p_14.left);
     result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
     if ((_e17.instance != noInstance)) {
         result.t = _e17.t;
@@ -1536,7 +1539,7 @@ PairHit meetMeshes(PairHit found_6, RayPair p_11) {
     return _e39;
 }
 
-PairHit tracePair(RayPair p_12) {
+PairHit tracePair(RayPair p_15) {
     PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_10 = 0u;
     uvec4 ends_1 = frame.shapeEnds;
@@ -1547,7 +1550,7 @@ PairHit tracePair(RayPair p_12) {
             while(true) {
                 PairHit _e21 = found_7;
                 uint _e22 = i_10;
-                PairHit _e23 = meetSphere(_e21, p_12, _e22);
+                PairHit _e23 = meetSphere(_e21, p_15, _e22);
                 found_7 = _e23;
                 uint _e25 = i_10;
                 i_10 = (_e25 + 1u);
@@ -1565,7 +1568,7 @@ PairHit tracePair(RayPair p_12) {
             while(true) {
                 PairHit _e35 = found_7;
                 uint _e36 = i_10;
-                PairHit _e37 = meetBox(_e35, p_12, _e36);
+                PairHit _e37 = meetBox(_e35, p_15, _e36);
                 found_7 = _e37;
                 uint _e39 = i_10;
                 i_10 = (_e39 + 1u);
@@ -1583,7 +1586,7 @@ PairHit tracePair(RayPair p_12) {
             while(true) {
                 PairHit _e49 = found_7;
                 uint _e50 = i_10;
-                PairHit _e51 = meetQuad(_e49, p_12, _e50);
+                PairHit _e51 = meetQuad(_e49, p_15, _e50);
                 found_7 = _e51;
                 uint _e53 = i_10;
                 i_10 = (_e53 + 1u);
@@ -1601,7 +1604,7 @@ PairHit tracePair(RayPair p_12) {
             while(true) {
                 PairHit _e63 = found_7;
                 uint _e64 = i_10;
-                PairHit _e65 = meetPlane(_e63, p_12, _e64);
+                PairHit _e65 = meetPlane(_e63, p_15, _e64);
                 found_7 = _e65;
                 uint _e67 = i_10;
                 i_10 = (_e67 + 1u);
@@ -1615,7 +1618,7 @@ PairHit tracePair(RayPair p_12) {
     const bool _e73 = hasMeshes;
     if (_e73) {
         PairHit _e74 = found_7;
-        PairHit _e75 = meetMeshes(_e74, p_12);
+        PairHit _e75 = meetMeshes(_e74, p_15);
         found_7 = _e75;
     }
     PairHit _e76 = found_7;
@@ -1654,9 +1657,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_8) {
+float spherePdf(Emitter e_2, vec3 point_2, vec3 direction_7) {
     SphereView _e3 = viewSphere(e_2, point_2);
-    bool reached = pick(_e3.inside, true, (dot(direction_8, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_7, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1695,8 +1698,8 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     vec2 lengths = vec2(length(e_3.u), length(e_3.v));
     vec3 axisX = (e_3.u / vec3(lengths.x));
     vec3 axisY = (e_3.v / vec3(lengths.y));
-    vec3 normal_14 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_14);
+    vec3 normal_16 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_16);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit_2 = pick((abs(signedHeight) > least), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1707,7 +1710,7 @@ QuadView viewQuad(Emitter e_3, vec3 point_3) {
     float _e46 = stretch(high_1.x, y_9, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_16 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit_2, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1726,9 +1729,9 @@ BoxView viewBox(Emitter e_5, vec3 point_5) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_3, vec3 normal_1) {
+float boxPdf(Emitter e_6, vec3 point_6, vec3 direction_8, float distance_3, vec3 normal_1) {
     BoxView _e5 = viewBox(e_6, point_6);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_9, normal_1))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_8, normal_1))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -1738,16 +1741,21 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_7, vec3 direction_10, float distance_4, vec3 normal_2, uint place_1) {
+float meshPdf(Emitter e_7, vec3 direction_9, float distance_4, vec3 normal_2, uint place_1) {
     uint _e7 = frame.lampTables;
     uint row_12 = ((_e7 + uint(e_7.table)) + (place_1 & ((1u << uint(e_7.radius)) - 1u)));
-    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_10, normal_2))), distance_4);
+    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_9, normal_2))), distance_4);
     LampTriangle _e24 = fetchLampTriangle(row_12);
     return (_e23 * _e24.density);
 }
 
-float spotFalloff(Emitter e_9, vec3 toLight_1) {
-    float share_2 = clamp(((-(dot(toLight_1, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
+float cosineTowards(Emitter e_9, vec3 toLight_1, float grown, vec3 normal_4) {
+    float above_1 = clamp(((dot(normal_4, toLight_1) + e_9.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight_2) {
+    float share_2 = clamp(((-(dot(toLight_2, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share_2 * share_2);
 }
 
@@ -1775,7 +1783,7 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
+vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_7) {
     vec4 x_20 = (n.x - vec4(point_10.x));
     vec4 y_10 = (n.y - vec4(point_10.y));
     vec4 z_3 = (n.z - vec4(point_10.z));
@@ -1793,13 +1801,13 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_10, vec3 normal_6) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_2);
-    vec4 cosN = clamp(((((normal_6.x * x_20) + (normal_6.y * y_10)) + (normal_6.z * z_3)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_10)) + (normal_7.z * z_3)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_2);
-    vec4 cosIn = pick((dot(normal_6, normal_6) == 0.0), vec4(1.0), above_1);
-    vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_, (n.reach * n.reach)), vec4(1e-15)));
-    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_2);
+    vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
+    vec4 estimate_2 = (((n.power * cosOut) * cosIn) / max(max(distance2_, (n.reach * n.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_2, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
 
 float shareOfTree(float total, float far) {
@@ -1807,7 +1815,7 @@ float shareOfTree(float total, float far) {
     return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_3));
 }
 
-TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_1) {
+TreeChoice descend(vec3 point_11, vec3 normal_8, float u_5, int leaf, float far_1) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -1821,7 +1829,7 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_7);
+        vec4 _e27 = estimatesOfChildren(_e26, point_11, normal_8);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -1860,11 +1868,11 @@ TreeChoice descend(vec3 point_11, vec3 normal_7, float u_5, int leaf, float far_
     return _e129;
 }
 
-float treeProbability(Emitter e_12, vec3 point_12, vec3 normal_8, Odds odds_1) {
+float treeProbability(Emitter e_13, vec3 point_12, vec3 normal_9, Odds odds_1) {
     float probability_1 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_12, normal_8, 0.0, int(max(e_12.leaf, 0.0)), odds_1.total);
+        TreeChoice _e17 = descend(point_12, normal_9, 0.0, int(max(e_13.leaf, 0.0)), odds_1.total);
         probability_1 = (_e17.probability * _e17.share);
     }
     float _e21 = probability_1;
@@ -1898,11 +1906,11 @@ vec2 thirdOf(Groups g_2) {
     return _e12;
 }
 
-TwoPoints nextTwo3d(inout Sampler s_8) {
-    Sampler _e1 = s_8;
+TwoPoints nextTwo3d(inout Sampler s_7) {
+    Sampler _e1 = s_7;
     Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_8.key;
-    s_8.key = (_e5 + 2u);
+    uint _e5 = s_7.key;
+    s_7.key = (_e5 + 2u);
     vec2 _e8 = firstOf(_e2);
     vec2 _e9 = secondOf(_e2);
     vec2 _e10 = thirdOf(_e2);
@@ -1914,11 +1922,11 @@ vec3 litSideOf(Meeting m) {
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_29 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_7 = (-1.0 / (s_29 + axis_1.z));
+    float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_7 = (-1.0 / (s_28 + axis_1.z));
     float b_10 = ((axis_1.x * axis_1.y) * a_7);
-    vec3 x_21 = vec3((1.0 + (((s_29 * axis_1.x) * axis_1.x) * a_7)), (s_29 * b_10), (-(s_29) * axis_1.x));
-    vec3 y_11 = vec3(b_10, (s_29 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
+    vec3 x_21 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_7)), (s_28 * b_10), (-(s_28) * axis_1.x));
+    vec3 y_11 = vec3(b_10, (s_28 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
     return (((v_6.x * x_21) + (v_6.y * y_11)) + (v_6.z * axis_1));
 }
 
@@ -1933,17 +1941,17 @@ ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
     return ConeDirection(_e23, cosine_21, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_14, vec2 u_8) {
-    SphereView _e3 = viewSphere(e_13, point_14);
+LightSample sampleSphere(Emitter e_14, vec3 point_14, vec2 u_8) {
+    SphereView _e3 = viewSphere(e_14, point_14);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_2 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_14.radius * e_14.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger_1 = (abs(along_2) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
     float distance_6 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_14.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_15) {
@@ -1956,9 +1964,9 @@ vec2 cosineAndSine(float x_15) {
 vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     float h_7 = q_3.height;
     vec2 y_12 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_30 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
+    vec2 s_29 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_9.x * q_3.solidAngle))));
-    vec2 across_2 = (vec2((s_30.y - s_30.x), (s_30.y + s_30.x)) * _e21);
+    vec2 across_2 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
     float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_2), 1e-15));
     float x_22 = clamp(((h_7 * w_8) * inversesqrt(max((1.0 - (w_8 * w_8)), 1e-12))), q_3.low.x, q_3.high.x);
     float d2_ = ((x_22 * x_22) + (h_7 * h_7));
@@ -1968,17 +1976,17 @@ vec3 sphericalRectangle(QuadView q_3, vec2 u_9) {
     return (((x_22 * q_3.axisX) + (atY * q_3.axisY)) + (h_7 * q_3.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_15, vec2 u_10) {
-    QuadView _e3 = viewQuad(e_14, point_15);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_14.u)) + (u_10.y * e_14.v));
+LightSample sampleQuad(Emitter e_15, vec3 point_15, vec2 u_10) {
+    QuadView _e3 = viewQuad(e_15, point_15);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_15.u)) + (u_10.y * e_15.v));
     vec3 _e13 = sphericalRectangle(_e3, u_10);
-    vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_5), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_5 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    vec3 toLight_6 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_6), _e3.height);
+    float _e23 = pdfOfView(_e3, e_15.area, distance_7);
+    return LightSample((toLight_6 / vec3(distance_7)), distance_7, e_15.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
+vec4 pointOnFaces(Emitter e_16, BoxView b_3, vec2 u_11) {
     float both = (b_3.faces.x + b_3.faces.y);
     float at_3 = (u_11.x * b_3.area);
     bool onX = (at_3 < b_3.faces.x);
@@ -1986,9 +1994,9 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_3, vec2 u_11) {
     float face = pick(onX, b_3.faces.x, pick(onY, b_3.faces.y, b_3.faces.z));
     float within_1 = clamp(((at_3 - pick(onX, 0.0, pick(onY, b_3.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p_26 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_6 = ((pick(onX, p_26.xyz, pick(onY, p_26.zxy, p_26.yzx)) * e_15.u) - b_3.point);
-    return vec4(toLight_6, abs(dot(axis_5, toLight_6)));
+    vec3 p_29 = vec3(pick((dot(axis_5, b_3.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_7 = ((pick(onX, p_29.xyz, pick(onY, p_29.zxy, p_29.yzx)) * e_16.u) - b_3.point);
+    return vec4(toLight_7, abs(dot(axis_5, toLight_7)));
 }
 
 vec3 rotateBack(vec4 q_4, vec3 v_7) {
@@ -1996,30 +2004,30 @@ vec3 rotateBack(vec4 q_4, vec3 v_7) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_16, vec2 u_12) {
-    BoxView _e3 = viewBox(e_16, point_16);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_12);
+LightSample sampleBox(Emitter e_17, vec3 point_16, vec2 u_12) {
+    BoxView _e3 = viewBox(e_17, point_16);
+    vec4 _e4 = pointOnFaces(e_17, _e3, u_12);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_17.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_23 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_23);
-    return LightSample(_e37, distance_8, e_16.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
+    return LightSample(_e37, distance_8, e_17.radiance, pdf_3, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_17, vec2 u_13) {
+ChosenTriangle chooseTriangle(Emitter e_18, vec2 u_13) {
     uint _e4 = frame.lampTables;
-    uint first_2 = (_e4 + uint(e_17.table));
-    uint column_2 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
+    uint first_2 = (_e4 + uint(e_18.table));
+    uint column_2 = min(uint((u_13.x * e_18.triangles)), (uint(e_18.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_17.triangles);
-    float x_23 = clamp((((u_13.x * e_17.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_18.triangles);
+    float x_23 = clamp((((u_13.x * e_18.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_8 = (x_23 < _e18.own);
     float rest_2 = pick(own_8, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_8, _e18.place, _e18.other);
@@ -2034,8 +2042,8 @@ vec2 weightsOnTriangle(vec2 u_14) {
     return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
 }
 
-vec3 outOfMesh(Instance i_16, vec3 p_14) {
-    vec3 q_7 = (p_14 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
+vec3 outOfMesh(Instance i_16, vec3 p_17) {
+    vec3 q_7 = (p_17 - vec3(i_16.toMeshX.w, i_16.toMeshY.w, i_16.toMeshZ.w));
     vec3 x_24 = cross(i_16.toMeshY.xyz, i_16.toMeshZ.xyz);
     vec3 y_13 = cross(i_16.toMeshZ.xyz, i_16.toMeshX.xyz);
     vec3 z_5 = cross(i_16.toMeshX.xyz, i_16.toMeshY.xyz);
@@ -2084,31 +2092,31 @@ Surface fetchSurface(uint i_18) {
     return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
-LightSample samplePoint(Emitter e_19, vec3 point_18) {
-    vec3 toLight_7 = (e_19.position - point_18);
-    float distance_9 = length(toLight_7);
+LightSample samplePoint(Emitter e_20, vec3 point_18) {
+    vec3 toLight_8 = (e_20.position - point_18);
+    float distance_9 = length(toLight_8);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_7 / vec3(safe)), distance_9, (e_19.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_8 / vec3(safe)), distance_9, (e_20.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_20, vec3 point_19) {
-    LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_20, point_19);
-    s_9 = _e2;
-    vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_20, _e5);
-    vec3 _e8 = s_9.radiance;
-    s_9.radiance = (_e8 * _e6);
-    float _e12 = s_9.pdf;
-    s_9.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_9;
+LightSample sampleSpot(Emitter e_21, vec3 point_19) {
+    LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_21, point_19);
+    s_8 = _e2;
+    vec3 _e5 = s_8.direction;
+    float _e6 = spotFalloff(e_21, _e5);
+    vec3 _e8 = s_8.radiance;
+    s_8.radiance = (_e8 * _e6);
+    float _e12 = s_8.pdf;
+    s_8.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_8;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
-    bool delta = (e_21.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_21.u), (e_21.area / 6.2831855), u_16);
-    return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_22, vec2 u_16) {
+    bool delta = (e_22.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_16);
+    return LightSample(_e10.direction, 1e30, e_22.radiance, pick(delta, 1.0, (1.0 / max(e_22.area, 1e-31))), delta);
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -2126,10 +2134,10 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_2.xyz, (max(light_2.w, 0.0) / sine));
 }
 
-vec3 sky(vec3 direction_12) {
+vec3 sky(vec3 direction_11) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
+    return mix(_e3, _e6, max(direction_11.y, 0.0));
 }
 
 bool isPlane(uint i_19) {
@@ -2138,12 +2146,12 @@ bool isPlane(uint i_19) {
     return pick((i_19 >= _e4), (i_19 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_9, vec3 direction_13, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_9, direction_13, halfSize_2);
+vec3 boxNormal(vec3 origin_8, vec3 direction_12, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_8, direction_12, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_15 = pick(entering, _e5.near, _e5.far);
-    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_13, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_12, vec3(0.0))));
     bool onX_1 = (crossed.x == t_15);
     bool onY_1 = pick(!(onX_1), (crossed.y == t_15), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
@@ -2165,38 +2173,38 @@ bool isSphere(uint i_21) {
     return (i_21 < _e4);
 }
 
-vec3 normalAt(RayPair p_16, float t_6, uint i_22) {
-    vec3 normal_10 = vec3(0.0);
+vec3 normalAt(RayPair p_19, float t_6, uint i_22) {
+    vec3 normal_11 = vec3(0.0);
     Bounds _e3 = fetchBounds(i_22);
-    vec3 origin_10 = (p_16.point - _e3.center);
-    normal_10 = _e3.center;
+    vec3 origin_9 = (p_19.point - _e3.center);
+    normal_11 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
         Extent _e11 = fetchExtent(i_22);
-        vec3 _e17 = normal_10;
+        vec3 _e17 = normal_11;
         bool _e18 = isPlane(i_22);
-        normal_10 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+        normal_11 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_22);
-        bool inside_3 = pick((i_22 == p_16.shape), p_16.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_10);
-        vec3 _e31 = turned(_e22.a, p_16.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_16.tMin, inside_3);
-        vec3 _e36 = normal_10;
+        bool inside_3 = pick((i_22 == p_19.shape), p_19.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_9);
+        vec3 _e31 = turned(_e22.a, p_19.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_19.tMin, inside_3);
+        vec3 _e36 = normal_11;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_22);
-        normal_10 = pick(_e39, _e38, _e36);
+        normal_11 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 outwards_1 = (origin_10 + (t_6 * p_16.direction));
-        vec3 _e46 = normal_10;
+        vec3 outwards_1 = (origin_9 + (t_6 * p_19.direction));
+        vec3 _e46 = normal_11;
         bool _e53 = isSphere(i_22);
-        normal_10 = pick(_e53, pick((dot(outwards_1, outwards_1) == 0.0), -(p_16.direction), outwards_1), _e46);
+        normal_11 = pick(_e53, pick((dot(outwards_1, outwards_1) == 0.0), -(p_19.direction), outwards_1), _e46);
     }
-    vec3 _e55 = normal_10;
+    vec3 _e55 = normal_11;
     return normalize(_e55);
 }
 
@@ -2216,10 +2224,10 @@ Layers fetchLayers(uint i_23) {
 }
 
 vec3 fromOctahedral(uint code_5) {
-    vec2 p_27 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_6 = ((1.0 - abs(p_27.x)) - abs(p_27.y));
-    vec2 folded = ((vec2(1.0) - abs(p_27.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_27, vec2(0.0))));
-    return normalize(vec3(pick((z_6 < 0.0), folded, p_27), z_6));
+    vec2 p_30 = ((vec2(float((code_5 & 65535u)), float((code_5 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_6 = ((1.0 - abs(p_30.x)) - abs(p_30.y));
+    vec2 folded = ((vec2(1.0) - abs(p_30.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_30, vec2(0.0))));
+    return normalize(vec3(pick((z_6 < 0.0), folded, p_30), z_6));
 }
 
 bool isSmooth(uint code_6) {
@@ -2242,32 +2250,32 @@ vec3 bent(vec3 g_3, vec3 o_1, vec3 n_1) {
     return pick((dot(g_3, reflected) >= least_1), n_1, raised);
 }
 
-vec3 validNormal(vec3 geometric, vec3 direction_14, vec3 mapped, vec3 otherwise) {
+vec3 validNormal(vec3 geometric, vec3 direction_13, vec3 mapped, vec3 otherwise) {
     float size_2 = dot(mapped, mapped);
     vec3 n_4 = pick((size_2 > 0.0), (mapped * inversesqrt(max(size_2, 1e-37))), otherwise);
-    float side_4 = pick((dot(geometric, direction_14) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_4 * geometric), -(direction_14), (side_4 * n_4));
+    float side_4 = pick((dot(geometric, direction_13) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_4 * geometric), -(direction_13), (side_4 * n_4));
     return (side_4 * _e21);
 }
 
-vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_15, bool isClear) {
-    bool agree = ((dot(geometric_1, direction_15) > 0.0) == (dot(shading, direction_15) > 0.0));
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_14, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_14) > 0.0) == (dot(shading, direction_14) > 0.0));
     return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
-vec3 tangentAbout(vec3 normal_11) {
-    vec3 east = vec3(normal_11.z, 0.0, -(normal_11.x));
+vec3 tangentAbout(vec3 normal_12) {
+    vec3 east = vec3(normal_12.z, 0.0, -(normal_12.x));
     float length2_ = dot(east, east);
     return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
 }
 
-vec3 grainAt(vec3 normal_12, vec3 tangent, vec3 bitangent, vec2 grain) {
-    vec3 along_3 = (tangent - (dot(tangent, normal_12) * normal_12));
+vec3 grainAt(vec3 normal_13, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_3 = (tangent - (dot(tangent, normal_13) * normal_13));
     float size_3 = dot(along_3, along_3);
     bool own_9 = (size_3 > (1e-12 * dot(tangent, tangent)));
-    vec3 _e12 = tangentAbout(normal_12);
+    vec3 _e12 = tangentAbout(normal_13);
     vec3 t_16 = pick(own_9, (along_3 * inversesqrt(max(size_3, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_12, t_16);
+    vec3 across_4 = cross(normal_13, t_16);
     float hand = pick(pick(own_9, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
     return ((grain.x * t_16) + ((grain.y * hand) * across_4));
 }
@@ -2307,14 +2315,14 @@ vec3 heroColor(vec3 throughput, float u_22) {
     return (chosen_2 / vec3(max(dot(chosen_2, share_4), 1e-6)));
 }
 
-float nextHash(inout Sampler s_13) {
-    uint _e3 = s_13.key;
-    s_13.key = (_e3 + 1u);
-    uint _e7 = s_13.key;
-    uint _e9 = s_13.salt;
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_13.sample_;
-    uint _e17 = s_13.place;
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
     uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
@@ -2387,8 +2395,8 @@ float indexRatio(float eta_2, float z_1, bool thin) {
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
-    float s_31 = (1.0 + length(wo.xy));
-    float s2_ = (s_31 * s_31);
+    float s_30 = (1.0 + length(wo.xy));
+    float s2_ = (s_30 * s_30);
     float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
@@ -2464,8 +2472,8 @@ vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_32 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_32 * s_32);
+    float s_31 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_31 * s_31);
     float least_2 = min(alpha_6.x, alpha_6.y);
     float a2_2 = (least_2 * least_2);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
@@ -2577,8 +2585,8 @@ float shadowingExponent(float x_17, float alpha_11) {
     float b_14 = mix(3.82987, 3.32435, m_4);
     float c_6 = mix(0.19823, 0.16801, m_4);
     float d_3 = mix(-1.9776, -1.27393, m_4);
-    float e_26 = mix(-4.32054, -4.85967, m_4);
-    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_3 * x_17)) + e_26);
+    float e_28 = mix(-4.32054, -4.85967, m_4);
+    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_3 * x_17)) + e_28);
 }
 
 float sheenShadowing(float cosine_19, float alpha_12) {
@@ -2630,14 +2638,14 @@ vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_18));
 }
 
-bool isOnDisc(Emitter e_23, vec3 direction_19) {
-    vec3 chord = (direction_19 + e_23.u);
-    return ((3.1415927 * dot(chord, chord)) < e_23.area);
+bool isOnDisc(Emitter e_24, vec3 direction_18) {
+    vec3 chord = (direction_18 + e_24.u);
+    return ((3.1415927 * dot(chord, chord)) < e_24.area);
 }
 
-float directionalPdf(Emitter e_24, vec3 direction_20) {
-    bool _e7 = isOnDisc(e_24, direction_20);
-    return pick(_e7, (1.0 / max(e_24.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_25, vec3 direction_19) {
+    bool _e7 = isOnDisc(e_25, direction_19);
+    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
 }
 
 void main() {

@@ -113,7 +113,7 @@ fn vectorOf(words: vec4u) -> vec3f {
 }
 
 fn flagsOf(p: Path) -> u32 {
-  return select(0u, aliveFlag, p.alive) | select(0u, inwardsFlag, p.rays.inwards) | select(0u, lightInwardsFlag, p.rays.lightInwards) | select(0u, escapedFlag, p.escaped) | select(0u, overFlag, isOver(p)) | (p.depth << depthShift);
+  return select(0u, aliveFlag, p.rays.goesOn) | select(0u, inwardsFlag, p.rays.inwards) | select(0u, lightInwardsFlag, p.rays.lightInwards) | select(0u, escapedFlag, p.escaped) | select(0u, overFlag, isOver(p)) | (p.depth << depthShift);
 }
 
 // Of the picture: where the texel of a path belongs.
@@ -146,7 +146,7 @@ fn pathAt(texel: vec2u) -> Path {
   let alive = (flags & aliveFlag) != 0u;
   let s = samplerAt(texel, numbers.z);
   let rays = RayPair(point, start.w, LeftTriangle(numbers.x, numbers.y), tMinAt(point, flags), alive, vectorOf(direction), (flags & inwardsFlag) != 0u, toLight.xyz, (flags & lightInwardsFlag) != 0u, toLight.w, light.w, numberOfNext(s));
-  return Path(rays, vectorOf(light), alive, throughput.xyz, (flags & escapedFlag) != 0u, flags >> depthShift, radiance.xyz, throughput.w, litSide.xyz, Odds(litSide.w, radiance.w), s);
+  return Path(rays, vectorOf(light), throughput.xyz, (flags & escapedFlag) != 0u, flags >> depthShift, radiance.xyz, throughput.w, litSide.xyz, Odds(litSide.w, radiance.w), s);
 }
 
 // On the lens, where paths begin, it is 0.
@@ -165,7 +165,9 @@ fn wasOver(texel: vec2u) -> bool {
 }
 
 @fragment fn pathBegin(@builtin(position) fragment: vec4f) -> PathWords {
-  return written(startPath(pixelOf(vec2u(fragment.xy)), frame.sampleIndex));
+  var p = noPath();
+  startPath(&p, pixelOf(vec2u(fragment.xy)), frame.sampleIndex);
+  return written(p);
 }
 
 @fragment fn pathTrace(@builtin(position) fragment: vec4f) -> HitWords {
@@ -186,13 +188,13 @@ fn wasOver(texel: vec2u) -> bool {
   let hit = hitAt(texel);
   var p = pathAt(texel);
   p.radiance += select(p.light, vec3f(0.0), hit.blocked);
-  p.escaped = p.escaped | (p.alive & (hit.shape == noShape));
-  p.alive = p.alive & !p.escaped;
+  p.escaped = p.escaped | (p.rays.goesOn & (hit.shape == noShape));
+  p.rays.goesOn = p.rays.goesOn & !p.escaped;
   let start = words(p.rays.point, p.rays.shape);
   let direction = words(p.rays.direction, flagsOf(p));
   let throughput = wordsOf(p.throughput, p.pdf);
   var lit = Lit(LightSample(p.litSide, 0.0, vec3f(0.0), 0.0, false), 0.0, -1.0, p.odds, vec3f(0.0));
-  if (p.alive) {
+  if (p.rays.goesOn) {
     lit = lightAt(&p, hit, meetingAt(&p, hit));
   }
   return ChoiceWords(start, direction, wordsOf(lit.light.direction, lit.light.distance), wordsOf(lit.light.radiance, lit.pdf), throughput, words(lit.u, p.sampler.key), wordsOf(p.radiance, lit.odds.tree), vec4u(bitcast<u32>(lit.shape), bitcast<u32>(lit.odds.total), select(0u, 1u, lit.light.delta), 0u));
@@ -217,7 +219,7 @@ fn wasOver(texel: vec2u) -> bool {
   let point = vectorOf(start);
   let odds = Odds(bitcast<f32>(numbers.y), radiance.w);
   let rays = RayPair(point, start.w, noTriangle, tMinAt(point, flags), alive, vectorOf(direction), (flags & inwardsFlag) != 0u, toLight.xyz, false, -1.0, noShape, 0u);
-  var p = Path(rays, vec3f(0.0), alive, throughput.xyz, (flags & escapedFlag) != 0u, flags >> depthShift, radiance.xyz, throughput.w, toLight.xyz, odds, samplerAt(texel, u.w));
+  var p = Path(rays, vec3f(0.0), throughput.xyz, (flags & escapedFlag) != 0u, flags >> depthShift, radiance.xyz, throughput.w, toLight.xyz, odds, samplerAt(texel, u.w));
   if (alive) {
     let sample = LightSample(toLight.xyz, toLight.w, light.xyz, light.w, numbers.z != 0u);
     scatter(&p, hit, meetingAt(&p, hit), Lit(sample, light.w, bitcast<f32>(numbers.x), odds, vectorOf(u)));
@@ -238,15 +240,13 @@ fn wasOver(texel: vec2u) -> bool {
 
 // Whether there is a ray left to trace.
 fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
+  return !p.rays.goesOn & (p.rays.lightDistance < 0.0);
 }
 
 struct Path {
   rays: RayPair,
   // What the light ray brings to the pixel if nothing is in its way.
   light: vec3f,
-  // Whether the path's own ray goes on.
-  alive: bool,
   throughput: vec3f,
   // Whether its ray has met nothing: addFarLight.
   escaped: bool,
@@ -286,7 +286,7 @@ struct RayPair {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -473,12 +473,32 @@ struct PairHit {
 }
 
 
-fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
-  var s = startSampler(pixel, sampleIndex, frame.seed);
-  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+// Over before it has begun.
+fn noPath() -> Path {
+  var p: Path;
+  p.rays.lightDirection = vec3f(0.0, 1.0, 0.0);
+  p.rays.lightDistance = -1.0;
+  return p;
+}
+
+// In place of a path that is over. What its first step does not ask for stays as it was: Windows' shader compiler takes the longer for a
+// loop the more values there are that one branch in it sets.
+fn startPath(p: ptr<function, Path>, pixel: vec2u, sampleIndex: u32) {
+  (*p).sampler = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&(*p).sampler));
+  let camera = cameraRay(filmPosition, lensPoint(&(*p).sampler));
+  (*p).rays.point = camera.origin;
+  (*p).rays.shape = noShape;
+  (*p).rays.left = noTriangle;
+  (*p).rays.tMin = 0.0;
+  (*p).rays.goesOn = true;
+  (*p).rays.direction = camera.direction;
+  (*p).rays.number = numberOfNext((*p).sampler);
+  (*p).light = vec3f(0.0);
+  (*p).throughput = vec3f(1.0);
+  (*p).depth = 1u;
+  (*p).radiance = vec3f(0.0);
+  (*p).pdf = 0.0;
 }
 
 // From the centre of the pixel, in pixels.
@@ -516,10 +536,11 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
   return u;
 }
 
-// A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+const noTriangle = LeftTriangle(noInstance, 0u);
 
 override hasFilter = false;
 
@@ -663,12 +684,6 @@ struct CameraRay {
   direction: vec3f,
 }
 
-
-// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
-// nothing that depends on the size of the scene.
-const noShape = 0xffffffffu;
-
-const noTriangle = LeftTriangle(noInstance, 0u);
 
 const noInstance = 0xffffffffu;
 
@@ -1888,7 +1903,7 @@ fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
   return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
 }
 
-// The same of one that is.
+// The same of one that is in the tree.
 fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = 0.0;
   if (frame.lightTreeDepth > 0u) {
@@ -2218,8 +2233,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let distance2 = dot(toLight, toLight);
   let distance = sqrt(distance2);
   let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let cosine = cosineTowards(e, toLight, grown, normal);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi0)), distance2 + e.area / pi0, isQuad);
   var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
@@ -2250,6 +2264,12 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
 override hasSuns = false;
 
 const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
 
 override hasPointLights = false;
 
@@ -3288,7 +3308,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).light = select(vec3f(0.0), contribution, isLit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).depth++;
   // A ray that escaped is still asked for.
   let stays = !hasMeshes & escaped;
@@ -3299,7 +3319,7 @@ fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
   (*p).odds.tree = select(lit.odds.tree, (*p).odds.tree, stays);
   let solid = !isFlat(m.shape);
   let lightShape = select(noShape, u32(max(lit.shape, 0.0)), lit.shape >= 0.0);
-  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
+  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
 }
 
 // The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
@@ -4324,10 +4344,11 @@ fn addSkyAndSuns(p: ptr<function, Path>) {
   loop {
     let e = fetchEmitter(i);
     let far = farLight(e, direction, sky);
-    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    let pdf = far.pdf * farProbability(e, (*p).litSide, (*p).odds);
     found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
     i++;
-    if (!hasManyLights) {
+    // Only one of them is the sky.
+    if (!hasSuns | !hasManyLights) {
       break;
     }
     if (i >= frame.farEmitters) {
@@ -4360,6 +4381,25 @@ fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
     }
   }
   return far;
+}
+
+// The same of one that is infinitely far.
+fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var estimate = e.power;
+      if (hasSuns) {
+        let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
+        estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
+      }
+      probability = estimate / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
 }
 
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
