@@ -9,7 +9,7 @@
   var contribution = vec3f(0.0);
   var distance = 0.0;
   for (var i = 0u; i <= frame.lightCount; i++) {
-    let hit = closestHit(ray);
+    let hit = closestHit(ray, 0u);
     if (i == 0u) {
       if (hit.shape == noShape) {
         break;
@@ -59,20 +59,31 @@ fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
+// The first `ballCount` light balls are met with the spheres, for a loop of their own would take Windows' shader compiler longer; but at
+// the same distance every shape counts before them.
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
-fn closestHit(ray: Ray) -> Hit {
+fn closestHit(ray: Ray, ballCount: u32) -> Hit {
   var hit = Hit(miss, noShape);
+  var ball = Hit(miss, noShape);
   let ends = frame.shapeEnds;
-  var i = 0u;
-  if (i < ends.x) {
+  let roundCount = ends.x + ballCount;
+  if (roundCount > 0u) {
+    var k = 0u;
     loop {
-      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.x) {
+      let i = select(k, k - ends.x + ends.w, k >= ends.x);
+      let t = hitSphere(i, fetchBounds(i), ray);
+      if (k < ends.x) {
+        hit = nearer(hit, t, i);
+      } else {
+        ball = nearer(ball, t, i);
+      }
+      k++;
+      if (k >= roundCount) {
         break;
       }
     }
   }
+  var i = ends.x;
   if (i < ends.y) {
     loop {
       hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
@@ -100,7 +111,7 @@ fn closestHit(ray: Ray) -> Hit {
       }
     }
   }
-  return hit;
+  return nearer(hit, ball.t, ball.shape);
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
@@ -282,35 +293,36 @@ struct Light {
   radius: f32,
   // added everywhere
   ambient: vec3f,
-  // density of the haze times radiance times radius^2
-  halo: f32,
+  // unused
+  spare0: f32,
   // colour of the diffuse part
   diffuse: vec3f,
   // radiance times radius^2: w = power / distance^2
   power: f32,
   // colour of the highlight
   specular: vec3f,
-  // radiance of the ball that is seen; negative: not seen
-  visible: f32,
+  // unused
+  spare1: f32,
 }
 
 
 struct Hit {
   t: f32,
+  // From shapeEnds.w on a light ball: its row; or noShape.
   shape: u32,
 }
 
 
 const miss = 1e30;
 
-fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
-  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
-}
-
 // Distances along the ray to shape i of that kind, or `miss`.
 fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
   return select(t, miss, i == ray.start.leaves);
+}
+
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
 }
 
 fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
@@ -448,8 +460,8 @@ struct Frame {
   shapeEnds: vec4u,
   // index past the last shape that may stand between a light and a point
   occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
+  // balls of lights that camera and mirrors see; their rows come after those of the shapes
+  ballCount: u32,
   // emitters of the path integrator
   emitterCount: u32,
   // path segments from the camera on; 0xffffffff: no limit
