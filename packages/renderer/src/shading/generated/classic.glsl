@@ -159,6 +159,10 @@ uniform highp sampler2D previousFilm;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+Hit nearer(Hit hit, float t, uint shape) {
+    return Hit(min(t, hit.t), pick((t < hit.t), shape, hit.shape));
+}
+
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction);
@@ -184,10 +188,6 @@ vec4 tableTexel(uint column, uint row) {
 Bounds fetchBounds(uint i_1) {
     vec4 _e2 = tableTexel(0u, i_1);
     return Bounds(_e2.xyz, _e2.w);
-}
-
-Hit nearer(Hit hit, float t, uint shape) {
-    return Hit(min(t, hit.t), pick((t < hit.t), shape, hit.shape));
 }
 
 Extent fetchExtent(uint i_2) {
@@ -278,100 +278,89 @@ float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
 
 Hit closestHit(Ray ray_4, uint ballCount) {
     Hit hit_1 = Hit(1e30, 4294967295u);
-    Hit ball = Hit(1e30, 4294967295u);
     uint k = 0u;
     uint i_6 = 0u;
     uvec4 ends = frame.shapeEnds;
     uint roundCount = (ends.x + ballCount);
     if ((roundCount > 0u)) {
         while(true) {
-            uint _e19 = k;
-            uint _e20 = k;
-            uint _e25 = k;
-            uint i_19 = pick((_e25 >= ends.x), ((_e20 - ends.x) + ends.w), _e19);
-            Bounds _e29 = fetchBounds(i_19);
-            float _e30 = hitSphere(i_19, _e29, ray_4);
-            uint _e31 = k;
-            if ((_e31 < ends.x)) {
-                Hit _e34 = hit_1;
-                Hit _e35 = nearer(_e34, _e30, i_19);
-                hit_1 = _e35;
-            } else {
-                Hit _e36 = ball;
-                Hit _e37 = nearer(_e36, _e30, i_19);
-                ball = _e37;
-            }
-            uint _e39 = k;
-            k = (_e39 + 1u);
-            uint _e41 = k;
-            if ((_e41 >= roundCount)) {
+            uint _e15 = k;
+            uint _e16 = k;
+            uint _e21 = k;
+            uint i_19 = pick((_e21 >= ends.x), ((_e16 - ends.x) + ends.w), _e15);
+            Hit _e25 = hit_1;
+            Bounds _e26 = fetchBounds(i_19);
+            float _e27 = hitSphere(i_19, _e26, ray_4);
+            Hit _e28 = nearer(_e25, _e27, i_19);
+            hit_1 = _e28;
+            uint _e30 = k;
+            k = (_e30 + 1u);
+            uint _e32 = k;
+            if ((_e32 >= roundCount)) {
                 break;
             }
         }
     }
     i_6 = ends.x;
-    uint _e45 = i_6;
-    if ((_e45 < ends.y)) {
+    uint _e36 = i_6;
+    if ((_e36 < ends.y)) {
         while(true) {
-            Hit _e48 = hit_1;
+            Hit _e39 = hit_1;
+            uint _e40 = i_6;
+            uint _e41 = i_6;
+            Bounds _e42 = fetchBounds(_e41);
+            float _e43 = hitBox(_e40, _e42, ray_4);
+            uint _e44 = i_6;
+            Hit _e45 = nearer(_e39, _e43, _e44);
+            hit_1 = _e45;
+            uint _e47 = i_6;
+            i_6 = (_e47 + 1u);
             uint _e49 = i_6;
-            uint _e50 = i_6;
-            Bounds _e51 = fetchBounds(_e50);
-            float _e52 = hitBox(_e49, _e51, ray_4);
-            uint _e53 = i_6;
-            Hit _e54 = nearer(_e48, _e52, _e53);
-            hit_1 = _e54;
+            if ((_e49 >= ends.y)) {
+                break;
+            }
+        }
+    }
+    uint _e52 = i_6;
+    if ((_e52 < ends.z)) {
+        while(true) {
+            Hit _e55 = hit_1;
             uint _e56 = i_6;
-            i_6 = (_e56 + 1u);
-            uint _e58 = i_6;
-            if ((_e58 >= ends.y)) {
-                break;
-            }
-        }
-    }
-    uint _e61 = i_6;
-    if ((_e61 < ends.z)) {
-        while(true) {
-            Hit _e64 = hit_1;
+            uint _e57 = i_6;
+            Bounds _e58 = fetchBounds(_e57);
+            float _e59 = hitQuad(_e56, _e58, ray_4);
+            uint _e60 = i_6;
+            Hit _e61 = nearer(_e55, _e59, _e60);
+            hit_1 = _e61;
+            uint _e63 = i_6;
+            i_6 = (_e63 + 1u);
             uint _e65 = i_6;
-            uint _e66 = i_6;
-            Bounds _e67 = fetchBounds(_e66);
-            float _e68 = hitQuad(_e65, _e67, ray_4);
-            uint _e69 = i_6;
-            Hit _e70 = nearer(_e64, _e68, _e69);
-            hit_1 = _e70;
-            uint _e72 = i_6;
-            i_6 = (_e72 + 1u);
-            uint _e74 = i_6;
-            if ((_e74 >= ends.z)) {
+            if ((_e65 >= ends.z)) {
                 break;
             }
         }
     }
-    uint _e77 = i_6;
-    if ((_e77 < ends.w)) {
+    uint _e68 = i_6;
+    if ((_e68 < ends.w)) {
         while(true) {
-            Hit _e80 = hit_1;
+            Hit _e71 = hit_1;
+            uint _e72 = i_6;
+            uint _e73 = i_6;
+            Bounds _e74 = fetchBounds(_e73);
+            float _e75 = hitPlane(_e72, _e74, ray_4);
+            uint _e76 = i_6;
+            Hit _e77 = nearer(_e71, _e75, _e76);
+            hit_1 = _e77;
+            uint _e79 = i_6;
+            i_6 = (_e79 + 1u);
             uint _e81 = i_6;
-            uint _e82 = i_6;
-            Bounds _e83 = fetchBounds(_e82);
-            float _e84 = hitPlane(_e81, _e83, ray_4);
-            uint _e85 = i_6;
-            Hit _e86 = nearer(_e80, _e84, _e85);
-            hit_1 = _e86;
-            uint _e88 = i_6;
-            i_6 = (_e88 + 1u);
-            uint _e90 = i_6;
-            if ((_e90 >= ends.w)) {
+            if ((_e81 >= ends.w)) {
                 break;
             }
         }
     }
-    Hit _e93 = hit_1;
-    float _e95 = ball.t;
-    uint _e97 = ball.shape;
-    Hit _e98 = nearer(_e93, _e95, _e97);
-    return _e98;
+    Hit _e84 = hit_1;
+    return _e84;
 }
 
 Ball fetchBall(uint i_7) {
@@ -546,9 +535,9 @@ bool coneMeetsPlane(ShadowCone cone, vec3 normal_1, float offset_1) {
     return (min((here * there), (abs(there) - (0.5 * (cone.end - cone.start)))) <= 0.0);
 }
 
-bool coneMissesBall(ShadowCone cone_1, BallPlace ball_1, float radius_2) {
-    float beside = ((ball_1.across * cone_1.cosine) - (ball_1.along * cone_1.sine));
-    float outside = max(max(beside, -(ball_1.along)), (ball_1.along - cone_1.end));
+bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
+    float beside = ((ball.across * cone_1.cosine) - (ball.along * cone_1.sine));
+    float outside = max(max(beside, -(ball.along)), (ball.along - cone_1.end));
     return (outside > pick((cone_1.tangent == 1e30), 1e30, radius_2));
 }
 
@@ -595,9 +584,9 @@ uint lowestBit(uint bits) {
     return ((floatBitsToUint(float((bits & (~(bits) + 1u)))) >> 23u) - 127u);
 }
 
-bool ballHidesLight(ShadowCone cone_4, BallPlace ball_2, float radius_3) {
-    float covers = (((radius_3 * 0.9999) - (ball_2.across * cone_4.cosine)) - (ball_2.along * cone_4.sine));
-    return (min(min(covers, (ball_2.along - radius_3)), ((cone_4.start - ball_2.along) - radius_3)) > 0.0);
+bool ballHidesLight(ShadowCone cone_4, BallPlace ball_1, float radius_3) {
+    float covers = (((radius_3 * 0.9999) - (ball_1.across * cone_4.cosine)) - (ball_1.along * cone_4.sine));
+    return (min(min(covers, (ball_1.along - radius_3)), ((cone_4.start - ball_1.along) - radius_3)) > 0.0);
 }
 
 vec3 samplePoint(LightSampler s_1, uint k_2, vec2 turn) {

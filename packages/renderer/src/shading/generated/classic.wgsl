@@ -71,24 +71,17 @@ struct Start {
 }
 
 
-// The first `ballCount` light balls are met with the spheres, for a loop of their own would take Windows' shader compiler longer; but at
-// the same distance every shape counts before them.
+// The first `ballCount` light balls come after the spheres, in the same loop: another one would take Windows' shader compiler longer.
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray, ballCount: u32) -> Hit {
   var hit = Hit(miss, noShape);
-  var ball = Hit(miss, noShape);
   let ends = frame.shapeEnds;
   let roundCount = ends.x + ballCount;
   if (roundCount > 0u) {
     var k = 0u;
     loop {
       let i = select(k, k - ends.x + ends.w, k >= ends.x);
-      let t = hitSphere(i, fetchBounds(i), ray);
-      if (k < ends.x) {
-        hit = nearer(hit, t, i);
-      } else {
-        ball = nearer(ball, t, i);
-      }
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
       k++;
       if (k >= roundCount) {
         break;
@@ -123,7 +116,7 @@ fn closestHit(ray: Ray, ballCount: u32) -> Hit {
       }
     }
   }
-  return nearer(hit, ball.t, ball.shape);
+  return hit;
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -286,6 +279,10 @@ struct Hit {
 
 const miss = 1e30;
 
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
 // Distances along the ray to shape i of that kind, or `miss`.
 fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
@@ -295,10 +292,6 @@ fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
-}
-
-fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
-  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
 }
 
 fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {

@@ -59,24 +59,17 @@ fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
-// The first `ballCount` light balls are met with the spheres, for a loop of their own would take Windows' shader compiler longer; but at
-// the same distance every shape counts before them.
+// The first `ballCount` light balls come after the spheres, in the same loop: another one would take Windows' shader compiler longer.
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray, ballCount: u32) -> Hit {
   var hit = Hit(miss, noShape);
-  var ball = Hit(miss, noShape);
   let ends = frame.shapeEnds;
   let roundCount = ends.x + ballCount;
   if (roundCount > 0u) {
     var k = 0u;
     loop {
       let i = select(k, k - ends.x + ends.w, k >= ends.x);
-      let t = hitSphere(i, fetchBounds(i), ray);
-      if (k < ends.x) {
-        hit = nearer(hit, t, i);
-      } else {
-        ball = nearer(ball, t, i);
-      }
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
       k++;
       if (k >= roundCount) {
         break;
@@ -111,7 +104,7 @@ fn closestHit(ray: Ray, ballCount: u32) -> Hit {
       }
     }
   }
-  return nearer(hit, ball.t, ball.shape);
+  return hit;
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
@@ -315,14 +308,14 @@ struct Hit {
 
 const miss = 1e30;
 
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
 // Distances along the ray to shape i of that kind, or `miss`.
 fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
   return select(t, miss, i == ray.start.leaves);
-}
-
-fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
-  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
 }
 
 fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
