@@ -72,6 +72,12 @@ const PARTS = [
     entry: join(source, 'shading/model-shaders.ts'),
   },
   {
+    name: 'path-relay',
+    importer: join(source, 'integrator/path/path-programs.ts'),
+    asked: './path-relay.ts',
+    entry: join(source, 'integrator/path/path-relay.ts'),
+  },
+  {
     name: 'bender',
     importer: join(source, 'stages.ts'),
     asked: './bender.ts',

@@ -23,6 +23,7 @@ const source = join(repository, 'packages/renderer/src');
 const harness = join(repository, 'tests/browser/harness');
 const bench = join(repository, 'bench/gpu/traversal');
 const RENDERER_OUTPUT = 'packages/renderer/src/shading/generated';
+const RELAY_OUTPUT = 'packages/renderer/src/integrator/path/generated';
 const TESTS_OUTPUT = 'tests/browser/harness/generated';
 const BENCH_OUTPUT = 'bench/gpu/traversal/generated';
 
@@ -32,6 +33,8 @@ interface Program {
   readonly entries: readonly { readonly entry: string; readonly stage: 'vertex' | 'fragment' }[];
   /** Default: RENDERER_OUTPUT. */
   readonly output?: string;
+  /** For WebGL2 alone: its WGSL is what the GLSL is made of. */
+  readonly webgl2Only?: boolean;
   /** There is a second text of it, `…_models.wgsl` and `…Models.glsl`, with everything; the first has what shapes need. */
   readonly models?: boolean;
 }
@@ -48,6 +51,19 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/path/path_entries',
     entries: [{ entry: 'path', stage: 'fragment' }],
     models: true,
+  },
+  {
+    name: 'path_relay',
+    root: 'integrator/path/path_relay',
+    entries: [
+      { entry: 'pathBegin', stage: 'fragment' },
+      { entry: 'pathTrace', stage: 'fragment' },
+      { entry: 'pathLight', stage: 'fragment' },
+      { entry: 'pathScatter', stage: 'fragment' },
+      { entry: 'pathEnd', stage: 'fragment' },
+    ],
+    output: RELAY_OUTPUT,
+    webgl2Only: true,
   },
   {
     name: 'aov',
@@ -233,10 +249,10 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/mesh/bent_table.wesl': bentTableWgsl(),
     'packages/renderer/src/shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
-  for (const { name, root, entries, output = RENDERER_OUTPUT, models } of PROGRAMS) {
+  for (const { name, root, entries, output = RENDERER_OUTPUT, models, webgl2Only = false } of PROGRAMS) {
     const linkedFor = async (conditions: Record<string, boolean>) =>
       (await link({ weslSrc, conditions, rootModuleName: `./${root}.wesl` })).dest.trim();
-    const computed = await linkedFor({ compute: true, sampled: false });
+    const computed = await linkedFor({ compute: !webgl2Only, sampled: false });
     const sampled = await linkedFor({ compute: false, sampled: true });
     const drawn = await linkedFor({ compute: false, sampled: false });
     const write = (suffix: string, capital: string, off: readonly string[]) => {
@@ -245,7 +261,7 @@ async function generate(): Promise<Record<string, string>> {
       files[`${output}/${name}${suffix}.wgsl`] = wgsl;
       // Another text where WebGPU draws in software, for what reads data: gpu/device.ts, PassSource.
       const software = withoutFeatures(sampled, off);
-      if (entries.length > 0 && READS_DATA.test(software))
+      if (entries.length > 0 && !webgl2Only && READS_DATA.test(software))
         files[`${output}/${name}${suffix}_sampled.wgsl`] = `${head}${software}\n`;
       // naga does not write GLSL ES 3.00 of a module in which there is a compute pass.
       const source = withoutFeatures(drawn, off);

@@ -57,6 +57,8 @@ test('a loop of one turn is none', () => {
   const nested = 'loop { loop { i++; if (i > 9) { break; } } if (!hasHoles) { break; } j++; if (j > 9) { break; } }';
   expect(walked(nested, ['hasHoles'])).toBe('fn walk() { { loop { i++; if (i > 9) { break; } } } }');
   expect(walked(nested, ['hasFog'])).toBe(`fn walk() { ${nested} }`);
+  const either = 'loop { i++; if (!hasFog | !hasHoles) { break; } if (i > 9) { break; } }';
+  expect(walked(either, ['hasHoles'])).toBe('fn walk() { { i++; } }');
 });
 
 test.each([

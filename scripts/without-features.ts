@@ -13,14 +13,14 @@ export function withoutFeatures(wgsl: string, off: readonly string[]): string {
 }
 
 /**
- * A loop that ends with `if (!hasX) { break; }` has one turn without that switch: no loop then, and nothing of what came behind. Windows'
- * FXC takes a seventh longer for a loop over meshes that stands in such a one.
+ * A loop that ends with `if (!hasX) { break; }`, or `if (!hasX | !hasY) { break; }`, has one turn without such a switch: no loop then, and
+ * nothing of what came behind. Windows' FXC takes a seventh longer for a loop over meshes that stands in such a one.
  */
 function withoutSingleTurns(wgsl: string, off: ReadonlySet<string>): string {
   let text = wgsl;
-  const end = /\bif \(!(\w+)\) \{\s*break;\s*\}/g;
+  const end = /\bif \((!\w+(?: \| !\w+)*)\) \{\s*break;\s*\}/g;
   for (let found = end.exec(text); found; found = end.exec(text)) {
-    if (!off.has(found[1]!)) continue;
+    if (!operandsOf(found[1]!, '|').some((one) => off.has(one.slice(1)))) continue;
     const open = openingAround(text, found.index);
     const before = text.slice(open + 1, found.index);
     if (!/\bloop $/.test(text.slice(0, open)) || leaves(before)) continue;

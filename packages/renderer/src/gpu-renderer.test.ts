@@ -23,6 +23,7 @@ class FakeDevice implements Device {
   readonly backend = 'webgl2';
   readonly description = 'fake';
   compute: Compute | null = null;
+  readonly relay = null;
   readonly maxTextureSize = 4096;
   readonly maxFilmSamples = 2 ** 24;
   readonly counts = { buffers: 0, textures: 0, programsMade: 0 };

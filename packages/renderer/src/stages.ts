@@ -24,8 +24,9 @@ import {
 } from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
-import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
+import { drawPath, groupsOf, isRelay, MOST_GROUPS, type PathInputs, type RelayPass } from './integrator/path/path.ts';
 import type { ProgramPlan } from './integrator/path/path-programs.ts';
+import { RelayRoom } from './integrator/path/relay-room.ts';
 import { geometryPacker, loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
@@ -76,6 +77,7 @@ export class Stages {
   readonly #environment: EnvironmentTexture;
   readonly #geometry: GeometryBuffer;
   readonly #texels: TexelBuffer;
+  readonly #relayRoom: RelayRoom;
   /** Bends meshes where the device can; null: not yet, or they are bent on this thread. */
   #bender: Bender | null = null;
   #openingBender: Promise<void> | null = null;
@@ -122,6 +124,7 @@ export class Stages {
     this.#geometry = new GeometryBuffer(device);
     this.#sketcher = new Sketcher(device);
     this.#texels = new TexelBuffer(device);
+    this.#relayRoom = new RelayRoom(device);
   }
 
   get film(): Film {
@@ -249,6 +252,7 @@ export class Stages {
     this.#bender?.release();
     this.#geometry.release();
     this.#texels.release();
+    this.#relayRoom.release();
     this.#sketcher.release();
     this.#packed = undefined;
   }
@@ -294,6 +298,7 @@ export class Stages {
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
     this.#content = program ? contentOfSubject(shot) : null;
+    if (!isRelay(this.#pass)) this.#relayRoom.release();
     const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const reach = viewReach(camera, width / height, shot.settings.framing);
@@ -344,18 +349,21 @@ export class Stages {
   ): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
+    // The whole program may have come meanwhile.
+    if (isRelay(this.#pass)) this.#pass = this.#programs.get(this.#shot!) ?? this.#pass;
     const pass = this.#pass;
     if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
       throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
-    const workgroup = workgroupOf(count);
+    if (isRelay(pass)) return this.#addByRelay(pass, controller, submitted, unwanted);
+    const { tile } = workgroupOf(count);
     let row = 0;
     this.#pending = true;
     try {
       for (;;) {
         const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, width * count), height - row);
         const begun = performance.now();
-        this.#draw(pass, { width, height, firstRow: row, rowCount, ...workgroup });
+        this.#draw(pass, { width, height, firstRow: row, rowCount, samples: count, tile });
         row += rowCount;
         if (row === height) this.#complete(count, submitted);
         const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount * count, begun));
@@ -373,25 +381,65 @@ export class Stages {
     }
   }
 
+  /** A sample by a program of several passes. It is complete when the device is done with it. */
+  async #addByRelay(
+    pass: RelayPass,
+    controller: FrameController,
+    submitted: () => void,
+    unwanted: () => boolean,
+  ): Promise<boolean> {
+    const { film } = this;
+    const { width, height } = film;
+    const { maxDepth } = this.#shot!.settings;
+    this.#pending = true;
+    try {
+      const whole = await pass.addSample({
+        film: film.next,
+        inputs: this.#pathInputs(),
+        words: this.#relayRoom.wordsFor(width, height),
+        width,
+        height,
+        maxDepth: maxDepth < 0 ? Number.POSITIVE_INFINITY : maxDepth,
+        rowsPerSubmit: () => this.#rowsPerSubmit(controller, pass, width),
+        takeRow: (relayRow) => {
+          writeStruct(this.#frameBlock, 'Frame', 0, { relayRow });
+          this.#frame.write(this.#frameBlock.bytes);
+        },
+        unwanted,
+        measured: (pixels, begun) => this.#measure(controller, pass, pixels, begun),
+      });
+      if (whole) this.#complete(1, submitted);
+      return whole;
+    } finally {
+      this.#pending = false;
+    }
+  }
+
   /** Where paths or AOVs are drawn, there is data. */
   #rowShares() {
     if (this.#content !== 'path' && !isAov(this.#content)) return {};
     return { geometryShare: shareOfRow(this.#geometry.buffer), texelShare: shareOfRow(this.#texels.buffer) };
   }
 
+  #pathInputs(): PathInputs {
+    return {
+      frame: this.#frame,
+      sceneTable: this.#table!,
+      previous: this.film.current.layers,
+      environment: this.#environment.texture,
+      geometry: this.#geometry.buffer,
+      texels: this.#texels.buffer,
+    };
+  }
+
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
-    const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    if (this.#content === 'path' || isAov(this.#content)) {
-      const all = {
-        ...inputs,
-        environment: this.#environment.texture,
-        geometry: this.#geometry.buffer,
-        texels: this.#texels.buffer,
-      };
-      if (this.#content === 'path') drawPath(device, pass, film.next, all, region);
-      else drawAov(device, pass, film.next, all, region);
-    } else drawClassic(device, pass, film.next, inputs, region);
+    if (this.#content === 'path') drawPath(device, pass, film.next, this.#pathInputs(), region);
+    else if (isAov(this.#content)) drawAov(device, pass, film.next, this.#pathInputs(), region);
+    else {
+      const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
+      drawClassic(device, pass, film.next, inputs, region);
+    }
   }
 
   #writeFrame(count: number): void {

@@ -21,6 +21,7 @@ import { playedFilms, playedLate, playFrames, switchMovingScenes } from './motio
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
+import { relayedFilms } from './relay.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
@@ -59,6 +60,7 @@ export const harness = {
   playedLate,
   playFrames,
   probeSampler,
+  relayedFilms,
   probeChoices,
   probeTree,
   probeEnvironments,

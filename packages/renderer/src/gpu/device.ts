@@ -20,13 +20,13 @@ export class DeviceError extends Error {
 
 /**
  * The same work as a compute pass: after the bindings come the region (first row, columns and rows, as vec3u), the layers of the film
- * as storage textures and, as data that is written too, room where the threads of a pixel hand something to one another.
+ * as storage textures and, as data that is written too, room for a row of each film sample.
  */
 export interface ComputeSource {
   readonly wgsl: string;
   readonly entry: string;
-  /** Rows of that room for each thread. */
-  readonly handedRows: number;
+  /** Another entry that comes after it, of workgroups of 8 × 8 pixels: adds the samples to the film. */
+  readonly adding: string;
 }
 
 /**
@@ -58,6 +58,9 @@ export interface PassSource {
   /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */
   readonly layers?: number;
 }
+
+/** What one language needs of it. */
+export type GlslSource = Pick<PassSource, 'label' | 'glsl' | 'bindings' | 'switches'>;
 
 export interface Pass {
   readonly label: string;
@@ -126,9 +129,9 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
-  /** For compute passes: pixels of a workgroup, and threads of a pixel. */
+  /** For compute passes: film samples of each pixel, and pixels of a workgroup. */
+  readonly samples?: number;
   readonly tile?: readonly [width: number, height: number];
-  readonly shares?: number;
 }
 /** A rectangle of pixels, (x, y) its top left corner. */
 export interface FilmArea {
@@ -177,6 +180,20 @@ export interface Compute {
   read(data: DataBuffer, firstRow: number, rows: number): Promise<Uint32Array<ArrayBuffer>>;
 }
 
+/**
+ * For a long program that is run as several: passes that keep words of each pixel for one another. They are drawn as all others are.
+ */
+export interface Relay {
+  /** Whether it pays: where the driver's compiler takes seconds for a long program. */
+  readonly pays: boolean;
+  /** Rejects with `DeviceError` when the driver refuses. */
+  createPass(source: GlslSource): Promise<Pass>;
+  /** Layers of four words of 32 bits a texel. */
+  createWords(width: number, height: number, layers: number): FilmTexture;
+  /** Draws, and resolves when all so far is done: with whether this pass drew any pixel at all. */
+  drawAsking(pass: Pass, target: FilmTexture, resources: readonly Resource[], region: Region): Promise<boolean>;
+}
+
 /** What exists on the device now, for leak tests, and how many programs were ever made. */
 export interface DeviceCounts {
   buffers: number;
@@ -195,6 +212,8 @@ export interface Device {
   readonly counts: Readonly<DeviceCounts>;
   /** Null where there are no compute passes, or where they are no faster than the CPU. */
   readonly compute: Compute | null;
+  /** Null where passes have no words of their own, or no use for them. */
+  readonly relay: Relay | null;
   /** Compiles without blocking the page where the browser can. Rejects with `DeviceError` when the driver refuses. */
   createPass(source: PassSource): Promise<Pass>;
   /** Takes the canvas for good, if that was not needed to open the device: call it when everything needed compiles. */

@@ -277,6 +277,7 @@ export const STRUCTS = {
     lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
     lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
     origin: field('vec2u', 'column and row of the picture that the first texel of the film holds'),
+    relayRow: field('u32', 'row of the film whose paths lie in the first row of their textures: path_relay.wesl'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),

@@ -68,6 +68,9 @@ export const MODEL_FEATURES: readonly Feature[] = [
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>
   MODEL_FEATURES.some((feature) => features.has(feature));
 
+/** Enough for meshes with one colour each under a sky. */
+export const PLAIN_MODEL_FEATURES: readonly Feature[] = ['hasMeshes', 'hasSky', 'hasMetallicRoughness'];
+
 /** Of a program that draws all but models. */
 export const SHAPE_FEATURES: readonly Feature[] = FEATURES.filter((feature) => !MODEL_FEATURES.includes(feature));
 

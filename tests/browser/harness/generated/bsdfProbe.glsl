@@ -149,6 +149,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct Facets {
     float value;

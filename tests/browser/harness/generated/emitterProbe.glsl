@@ -74,6 +74,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct TreeChoice {
     uint emitter;
@@ -441,60 +442,64 @@ const bool hasNormalMaps = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-float spotFalloff(Emitter e, vec3 toLight) {
-    float share_1 = clamp(((-(dot(toLight, e.u)) - e.radius) / (e.cosInner - e.radius)), 0.0, 1.0);
+float cosineTowards(Emitter e, vec3 toLight, float grown, vec3 normal_1) {
+    float above = clamp(((dot(normal_1, toLight) + e.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
+}
+
+float spotFalloff(Emitter e_1, vec3 toLight_1) {
+    float share_1 = clamp(((-(dot(toLight_1, e_1.u)) - e_1.radius) / (e_1.cosInner - e_1.radius)), 0.0, 1.0);
     return (share_1 * share_1);
 }
 
-float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
+float estimatedIrradiance(Emitter e_2, vec3 point, vec3 normal_2) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_1.kind == 1.0), false);
+    bool isQuad = pick(_e4, (e_2.kind == 1.0), false);
     const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_1.kind == 5.0), false);
-    vec3 middle = (e_1.position + pick(isQuad, (0.5 * (e_1.u + e_1.v)), vec3(0.0)));
-    vec3 toLight_2 = pick(isFar, -(e_1.u), (middle - point));
-    float distance2_ = dot(toLight_2, toLight_2);
+    bool isFar = pick(_e10, (e_2.kind == 5.0), false);
+    vec3 middle = (e_2.position + pick(isQuad, (0.5 * (e_2.u + e_2.v)), vec3(0.0)));
+    vec3 toLight_3 = pick(isFar, -(e_2.u), (middle - point));
+    float distance2_ = dot(toLight_3, toLight_3);
     float distance_6 = sqrt(distance2_);
-    float grown = max((distance_6 + e_1.reach), 1e-15);
-    float above = clamp(((dot(normal_1, toLight_2) + e_1.reach) / grown), 0.0, 1.0);
-    float cosine_1 = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
-    float square = pick(isQuad, (distance2_ + (e_1.area / 3.1415927)), max(distance2_, (e_1.area / 12.566371)));
-    estimate = ((e_1.power * cosine_1) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_2)) / max(e_1.area, 1e-30));
-        float side = pick((e_1.oneSided == 1.0), max(height_1, 0.0), abs(height_1));
-        float lampCosine = pick((side > 0.0), ((side + e_1.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    float grown_1 = max((distance_6 + e_2.reach), 1e-15);
+    float _e35 = cosineTowards(e_2, toLight_3, grown_1, normal_2);
+    float square = pick(isQuad, (distance2_ + (e_2.area / 3.1415927)), max(distance2_, (e_2.area / 12.566371)));
+    estimate = ((e_2.power * _e35) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e54 = hasQuadLights;
+    if (_e54) {
+        float height_1 = (-(dot(cross(e_2.u, e_2.v), toLight_3)) / max(e_2.area, 1e-30));
+        float side = pick((e_2.oneSided == 1.0), max(height_1, 0.0), abs(height_1));
+        float lampCosine = pick((side > 0.0), ((side + e_2.reach) / grown_1), 0.0);
+        float _e78 = estimate;
+        estimate = (_e78 * pick(isQuad, lampCosine, 1.0));
     }
-    const bool _e94 = hasMeshLamps;
-    if (_e94) {
-        float alike = length(e_1.v);
-        float across = -(dot(e_1.v, toLight_2));
-        float side_1 = pick((e_1.oneSided == 1.0), max(across, 0.0), abs(across));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_1 + (alike * e_1.reach)) / grown));
-        float sizeOfMesh = (distance2_ + ((e_1.area * (1.0 + (3.0 * alike))) / 12.566371));
-        float _e125 = estimate;
-        estimate = pick((e_1.kind == 7.0), (((e_1.power * cosine_1) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+    const bool _e83 = hasMeshLamps;
+    if (_e83) {
+        float alike = length(e_2.v);
+        float across = -(dot(e_2.v, toLight_3));
+        float side_1 = pick((e_2.oneSided == 1.0), max(across, 0.0), abs(across));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_1 + (alike * e_2.reach)) / grown_1));
+        float sizeOfMesh = (distance2_ + ((e_2.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e114 = estimate;
+        estimate = pick((e_2.kind == 7.0), (((e_2.power * _e35) * shown) / max(sizeOfMesh, 1e-15)), _e114);
     }
-    const bool _e137 = hasPointLights;
-    if (_e137) {
-        float _e138 = estimate;
-        float _e143 = spotFalloff(e_1, (toLight_2 / vec3(max(distance_6, 1e-15))));
-        estimate = (_e138 * pick((e_1.kind == 4.0), _e143, 1.0));
+    const bool _e126 = hasPointLights;
+    if (_e126) {
+        float _e127 = estimate;
+        float _e132 = spotFalloff(e_2, (toLight_3 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e127 * pick((e_2.kind == 4.0), _e132, 1.0));
     }
-    const bool _e151 = hasSky;
-    if (_e151) {
-        float _e152 = estimate;
-        estimate = pick((e_1.kind == 6.0), e_1.power, _e152);
+    const bool _e140 = hasSky;
+    if (_e140) {
+        float _e141 = estimate;
+        estimate = pick((e_2.kind == 6.0), e_2.power, _e141);
     }
-    float _e158 = estimate;
-    return _e158;
+    float _e147 = estimate;
+    return _e147;
 }
 
-float listedProbability(Emitter e_2, vec3 point_1, vec3 normal_2, Odds odds) {
+float listedProbability(Emitter e_3, vec3 point_1, vec3 normal_3, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -502,7 +507,7 @@ float listedProbability(Emitter e_2, vec3 point_1, vec3 normal_2, Odds odds) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_2, point_1, normal_2);
+            float _e18 = estimatedIrradiance(e_3, point_1, normal_3);
             probability = (_e18 / max(odds.total, 1e-37));
             const bool _e24 = hasLightTree;
             if (_e24) {
@@ -544,7 +549,7 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_3) {
+vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_4) {
     vec4 x_8 = (n.x - vec4(point_2.x));
     vec4 y_3 = (n.y - vec4(point_2.y));
     vec4 z = (n.z - vec4(point_2.z));
@@ -562,11 +567,11 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_3) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside);
-    vec4 cosN = clamp(((((normal_3.x * x_8) + (normal_3.y * y_3)) + (normal_3.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_4.x * x_8) + (normal_4.y * y_3)) + (normal_4.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside);
-    vec4 cosIn = pick((dot(normal_3, normal_3) == 0.0), vec4(1.0), above_1);
+    vec4 cosIn = pick((dot(normal_4, normal_4) == 0.0), vec4(1.0), above_1);
     vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
@@ -576,7 +581,7 @@ float shareOfTree(float total, float far) {
     return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_2));
 }
 
-TreeChoice descend(vec3 point_3, vec3 normal_4, float u, int leaf, float far_1) {
+TreeChoice descend(vec3 point_3, vec3 normal_5, float u, int leaf, float far_1) {
     uint level = 0u;
     uint node = 0u;
     float rest = 0.0;
@@ -590,7 +595,7 @@ TreeChoice descend(vec3 point_3, vec3 normal_4, float u, int leaf, float far_1) 
         uint _e23 = frame.lightTree;
         uint _e24 = node;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_3, normal_4);
+        vec4 _e27 = estimatesOfChildren(_e26, point_3, normal_5);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -629,21 +634,21 @@ TreeChoice descend(vec3 point_3, vec3 normal_4, float u, int leaf, float far_1) 
     return _e129;
 }
 
-float treeProbability(Emitter e_3, vec3 point_4, vec3 normal_5, Odds odds_1) {
+float treeProbability(Emitter e_4, vec3 point_4, vec3 normal_6, Odds odds_1) {
     float probability_1 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_4, normal_5, 0.0, int(max(e_3.leaf, 0.0)), odds_1.total);
+        TreeChoice _e17 = descend(point_4, normal_6, 0.0, int(max(e_4.leaf, 0.0)), odds_1.total);
         probability_1 = (_e17.probability * _e17.share);
     }
     float _e21 = probability_1;
     return _e21;
 }
 
-float probabilityOf(Emitter e_4, vec3 point_5, vec3 normal_6, Odds odds_2) {
-    float _e4 = listedProbability(e_4, point_5, normal_6, odds_2);
-    float _e5 = treeProbability(e_4, point_5, normal_6, odds_2);
-    return pick((e_4.leaf >= 0.0), _e5, _e4);
+float probabilityOf(Emitter e_5, vec3 point_5, vec3 normal_7, Odds odds_2) {
+    float _e4 = listedProbability(e_5, point_5, normal_7, odds_2);
+    float _e5 = treeProbability(e_5, point_5, normal_7, odds_2);
+    return pick((e_5.leaf >= 0.0), _e5, _e4);
 }
 
 Emitter fetchEmitter(uint i_1) {
@@ -656,7 +661,7 @@ Emitter fetchEmitter(uint i_1) {
     return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
-EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_7, float u_1) {
+EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_8, float u_1) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
@@ -683,7 +688,7 @@ EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_7, float u_1) {
             while(true) {
                 uint _e48 = i_2;
                 Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_6, normal_7);
+                float _e50 = estimatedIrradiance(_e49, point_6, normal_8);
                 uint _e51 = i_2;
                 float weight = pick((_e51 < listed), _e50, 0.0);
                 float _e55 = total_1;
@@ -718,7 +723,7 @@ EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_7, float u_1) {
                 if (_e97) {
                     float _e98 = rest_1;
                     float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_6, normal_7, _e98, -1, _e100);
+                    TreeChoice _e101 = descend(point_6, normal_8, _e98, -1, _e100);
                     choice_1.odds.tree = _e101.share;
                     uint _e106 = chosen;
                     choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
@@ -732,14 +737,14 @@ EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_7, float u_1) {
     return _e122;
 }
 
-SphereView viewSphere(Emitter e_5, vec3 point_7) {
-    vec3 toCenter = (e_5.position - point_7);
+SphereView viewSphere(Emitter e_6, vec3 point_7) {
+    vec3 toCenter = (e_6.position - point_7);
     float d_2 = length(toCenter);
-    float power = abs(((d_2 - e_5.radius) * (d_2 + e_5.radius)));
-    bool inside_1 = (d_2 <= e_5.radius);
-    float sine_1 = min((e_5.radius / max(d_2, 1e-30)), 1.0);
-    float cosine_2 = (sqrt(power) / max(d_2, 1e-30));
-    return SphereView(toCenter, d_2, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
+    float power = abs(((d_2 - e_6.radius) * (d_2 + e_6.radius)));
+    bool inside_1 = (d_2 <= e_6.radius);
+    float sine_1 = min((e_6.radius / max(d_2, 1e-30)), 1.0);
+    float cosine_1 = (sqrt(power) / max(d_2, 1e-30));
+    return SphereView(toCenter, d_2, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_1))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
@@ -753,30 +758,30 @@ vec3 turnTo(vec3 axis, vec3 v) {
 
 ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
     float oneMinusCosine = (u_2.x * width);
-    float cosine_3 = (1.0 - oneMinusCosine);
+    float cosine_2 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_2 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_2.y);
     vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_3));
-    return ConeDirection(_e23, cosine_3, sine2_);
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_2));
+    return ConeDirection(_e23, cosine_2, sine2_);
 }
 
 float conePdf(float width_1) {
     return (1.0 / (6.2831855 * max(width_1, 1e-31)));
 }
 
-LightSample sampleSphere(Emitter e_6, vec3 point_8, vec2 u_3) {
-    SphereView _e3 = viewSphere(e_6, point_8);
+LightSample sampleSphere(Emitter e_7, vec3 point_8, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_7, point_8);
     vec3 axis_3 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_3, _e3.width, u_3);
     float along_1 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_6.radius * e_6.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_7.radius * e_7.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger_1 = (abs(along_1) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
     float distance_7 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_6.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_7.radiance, _e49, false);
 }
 
 float arctangent(float x) {
@@ -797,16 +802,16 @@ float stretch(float x_1, vec2 y, float h) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_7, vec3 point_9) {
-    vec3 corner = (e_7.position - point_9);
-    vec2 lengths = vec2(length(e_7.u), length(e_7.v));
-    vec3 axisX = (e_7.u / vec3(lengths.x));
-    vec3 axisY = (e_7.v / vec3(lengths.y));
-    vec3 normal_12 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_12);
+QuadView viewQuad(Emitter e_8, vec3 point_9) {
+    vec3 corner = (e_8.position - point_9);
+    vec2 lengths = vec2(length(e_8.u), length(e_8.v));
+    vec3 axisX = (e_8.u / vec3(lengths.x));
+    vec3 axisY = (e_8.v / vec3(lengths.y));
+    vec3 normal_13 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_13);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
-    bool lit = pick((abs(signedHeight) > least), pick((e_7.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    bool lit = pick((abs(signedHeight) > least), pick((e_8.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_1 = (low_2 + lengths);
     vec2 y_5 = vec2(low_2.y, high_1.y);
@@ -814,7 +819,7 @@ QuadView viewQuad(Emitter e_7, vec3 point_9) {
     float _e46 = stretch(high_1.x, y_5, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_12 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_13 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -851,14 +856,14 @@ float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     return pick(q_1.lit, pdf_2, 0.0);
 }
 
-LightSample sampleQuad(Emitter e_8, vec3 point_10, vec2 u_5) {
-    QuadView _e3 = viewQuad(e_8, point_10);
-    vec3 onArea = ((_e3.corner + (u_5.x * e_8.u)) + (u_5.y * e_8.v));
+LightSample sampleQuad(Emitter e_9, vec3 point_10, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_9, point_10);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_9.u)) + (u_5.y * e_9.v));
     vec3 _e13 = sphericalRectangle(_e3, u_5);
-    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_3), _e3.height);
-    float _e23 = pdfOfView(_e3, e_8.area, distance_8);
-    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_8.radiance, _e23, false);
+    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_4), _e3.height);
+    float _e23 = pdfOfView(_e3, e_9.area, distance_8);
+    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_9.radiance, _e23, false);
 }
 
 Extent fetchExtent(uint i_3) {
@@ -872,16 +877,16 @@ vec3 rotate(vec4 q_2, vec3 v_1) {
     return ((v_1 + (q_2.w * t_8)) + cross(q_2.xyz, t_8));
 }
 
-BoxView viewBox(Emitter e_9, vec3 point_11) {
-    Extent _e4 = fetchExtent(uint(e_9.shape));
+BoxView viewBox(Emitter e_10, vec3 point_11) {
+    Extent _e4 = fetchExtent(uint(e_10.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_11 - e_9.position));
-    bvec3 seen = greaterThan(abs(_e8), e_9.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_9.u.yzx) * e_9.u.zxy), seen);
+    vec3 _e8 = rotate(rotation, (point_11 - e_10.position));
+    bvec3 seen = greaterThan(abs(_e8), e_10.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_10.u.yzx) * e_10.u.zxy), seen);
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-vec4 pointOnFaces(Emitter e_10, BoxView b, vec2 u_6) {
+vec4 pointOnFaces(Emitter e_11, BoxView b, vec2 u_6) {
     float both = (b.faces.x + b.faces.y);
     float at_2 = (u_6.x * b.area);
     bool onX = (at_2 < b.faces.x);
@@ -890,8 +895,8 @@ vec4 pointOnFaces(Emitter e_10, BoxView b, vec2 u_6) {
     float within = clamp(((at_2 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_4 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
     vec3 p_9 = vec3(pick((dot(axis_4, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_10.u) - b.point);
-    return vec4(toLight_4, abs(dot(axis_4, toLight_4)));
+    vec3 toLight_5 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_11.u) - b.point);
+    return vec4(toLight_5, abs(dot(axis_4, toLight_5)));
 }
 
 vec3 safeReciprocal(vec3 d, vec3 origin) {
@@ -913,19 +918,19 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_11, vec3 point_12, vec2 u_7) {
-    BoxView _e3 = viewBox(e_11, point_12);
-    vec4 _e4 = pointOnFaces(e_11, _e3, u_7);
+LightSample sampleBox(Emitter e_12, vec3 point_12, vec2 u_7) {
+    BoxView _e3 = viewBox(e_12, point_12);
+    vec4 _e4 = pointOnFaces(e_12, _e3, u_7);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_11.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_12.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
     vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
     vec3 _e37 = rotateBack(_e3.rotation, direction_21);
-    return LightSample(_e37, distance_9, e_11.radiance, pdf_3, false);
+    return LightSample(_e37, distance_9, e_12.radiance, pdf_3, false);
 }
 
 uvec4 geometryRow(uint i_4) {
@@ -954,15 +959,15 @@ uint mixBits(uint x_4) {
     return _e2.x;
 }
 
-ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
+ChosenTriangle chooseTriangle(Emitter e_13, vec2 u_8) {
     uint _e4 = frame.lampTables;
-    uint first = (_e4 + uint(e_12.table));
-    uint column_2 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
+    uint first = (_e4 + uint(e_13.table));
+    uint column_2 = min(uint((u_8.x * e_13.triangles)), (uint(e_13.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_12.triangles);
-    float x_11 = clamp((((u_8.x * e_12.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_13.triangles);
+    float x_11 = clamp((((u_8.x * e_13.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_11 < _e18.own);
     float rest_2 = pick(own_2, (x_11 / max(_e18.own, 1e-37)), ((x_11 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
@@ -1151,51 +1156,51 @@ Surface fetchSurface(uint i_9) {
     return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
-LightSample sampleMesh(Emitter e_13, vec3 point_13, vec2 u_10) {
+LightSample sampleMesh(Emitter e_14, vec3 point_13, vec2 u_10) {
     vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_13, u_10);
+    ChosenTriangle _e3 = chooseTriangle(e_14, u_10);
     uint _e6 = frame.instances;
-    Instance _e12 = fetchInstance((_e6 + (uint(e_13.instance) * instanceRows)));
+    Instance _e12 = fetchInstance((_e6 + (uint(e_14.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_5 = (_e34 - point_13);
+    vec3 toLight_6 = (_e34 - point_13);
     vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_2, toLight_5) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
-    float distance_10 = length(toLight_5);
-    float _e60 = areaPdf(e_13.area, abs(height_3), distance_10);
+    float height_3 = (dot(across_2, toLight_6) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
+    float distance_10 = length(toLight_6);
+    float _e60 = areaPdf(e_14.area, abs(height_3), distance_10);
     float pdf_4 = (_e60 * _e3.density);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_13.oneSided == 0.0), (height_3 > 0.0), false));
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_14.oneSided == 0.0), (height_3 > 0.0), false));
     float reached = max((distance_10 - (1e-5 * (length(point_13) + distance_10))), 0.0);
-    radiance = e_13.radiance;
+    radiance = e_14.radiance;
     const bool _e82 = hasVariedLamps;
     if (_e82) {
-        if ((e_13.u.y > 0.0)) {
+        if ((e_14.u.y > 0.0)) {
             uvec3 rows_1 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
             Cover _e97 = coverAt(rows_1, _e12.vertexRows, _e20);
             vec3 _e98 = radiance;
-            Surface _e101 = fetchSurface(uint(e_13.shape));
+            Surface _e101 = fetchSurface(uint(e_14.shape));
             vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
             radiance = (_e98 * _e109);
         }
     }
     vec3 _e115 = radiance;
-    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, _e115, pick(lit_1, pdf_4, 0.0), false);
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached, _e115, pick(lit_1, pdf_4, 0.0), false);
 }
 
-LightSample samplePoint(Emitter e_14, vec3 point_14) {
-    vec3 toLight_6 = (e_14.position - point_14);
-    float distance_11 = length(toLight_6);
+LightSample samplePoint(Emitter e_15, vec3 point_14) {
+    vec3 toLight_7 = (e_15.position - point_14);
+    float distance_11 = length(toLight_7);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_14.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_15.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_15, vec3 point_15) {
+LightSample sampleSpot(Emitter e_16, vec3 point_15) {
     LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_15, point_15);
+    LightSample _e2 = samplePoint(e_16, point_15);
     s = _e2;
     vec3 _e5 = s.direction;
-    float _e6 = spotFalloff(e_15, _e5);
+    float _e6 = spotFalloff(e_16, _e5);
     vec3 _e8 = s.radiance;
     s.radiance = (_e8 * _e6);
     float _e12 = s.pdf;
@@ -1204,10 +1209,10 @@ LightSample sampleSpot(Emitter e_15, vec3 point_15) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
-    bool delta = (e_16.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_16.u), (e_16.area / 6.2831855), u_11);
-    return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_17, vec2 u_11) {
+    bool delta = (e_17.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_17.u), (e_17.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_17.radiance, pick(delta, 1.0, (1.0 / max(e_17.area, 1e-31))), delta);
 }
 
 vec4 environmentTexel(uint column_1, uint row_9) {
@@ -1364,60 +1369,60 @@ LightSample sampleSky(vec2 u_15) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_17, vec3 point_16, vec2 u_16) {
+LightSample sampleEmitter(Emitter e_18, vec3 point_16, vec2 u_16) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_17.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_17, point_16, u_16);
+        if ((e_18.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_18, point_16, u_16);
             s_2 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_17.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_17, point_16, u_16);
+        if ((e_18.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_18, point_16, u_16);
             s_2 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_17.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_17, point_16, u_16);
+        if ((e_18.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_18, point_16, u_16);
             s_2 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_17.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_17, point_16, u_16);
+        if ((e_18.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_18, point_16, u_16);
             s_2 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_17.kind == 3.0)) {
-            LightSample _e43 = samplePoint(e_17, point_16);
+        if ((e_18.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_18, point_16);
             s_2 = _e43;
         }
     }
     const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_17.kind == 4.0)) {
-            LightSample _e49 = sampleSpot(e_17, point_16);
+        if ((e_18.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_18, point_16);
             s_2 = _e49;
         }
     }
     const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_17.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_17, u_16);
+        if ((e_18.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_18, u_16);
             s_2 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
-        if ((e_17.kind == 6.0)) {
+        if ((e_18.kind == 6.0)) {
             LightSample _e61 = sampleSky(u_16);
             s_2 = _e61;
         }
@@ -1495,10 +1500,10 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_13) {
 }
 
 float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_13 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_13);
+    vec3 normal_14 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_14);
     vec3 toCenter_2 = (center_1 - origin_4);
-    float t_12 = (dot(toCenter_2, normal_13) / pick((speed == 0.0), 1e-30, speed));
+    float t_12 = (dot(toCenter_2, normal_14) / pick((speed == 0.0), 1e-30, speed));
     vec3 p_10 = ((t_12 * direction_4) - toCenter_2);
     bool within_1 = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_12 > tMin_2), (t_12 < 1e30), false), within_1, false), t_12, 1e30);
@@ -1513,9 +1518,9 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_14) {
     return _e24;
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_8, float offset, float tMin_3) {
-    float speed_1 = dot(direction_5, normal_8);
-    float t_13 = ((offset - dot(origin_5, normal_8)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_9, float offset, float tMin_3) {
+    float speed_1 = dot(direction_5, normal_9);
+    float t_13 = ((offset - dot(origin_5, normal_9)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_13 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
@@ -1643,7 +1648,7 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
-    bool toLight_1 = false;
+    bool toLight_2 = false;
     float most = 0.0;
     uint instance_1 = noInstance;
     uint nodes = 0u;
@@ -1660,8 +1665,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     vec3 d_1 = vec3(0.0);
     bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
-    toLight_1 = !((rays.most > 0.0));
-    bool _e17 = toLight_1;
+    toLight_2 = !((rays.most > 0.0));
+    bool _e17 = toLight_2;
     most = pick(_e17, rays.lightMost, rays.most);
     MeshHit _e45 = found_5;
     doubted = _e45;
@@ -1687,7 +1692,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
             uint _e87 = current;
             instance_1 = pick(toWorld, noInstance, (_e87 & placeMask));
             o = rays.origin;
-            bool _e96 = toLight_1;
+            bool _e96 = toLight_2;
             d_1 = pick(_e96, rays.lightDirection, rays.direction);
             nodes = 0u;
             if (!(toWorld)) {
@@ -1814,10 +1819,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     }
                 }
                 bool _e371 = nearer;
-                bool _e372 = toLight_1;
+                bool _e372 = toLight_2;
                 bool blocks = pick(_e371, _e372, false);
                 bool _e374 = nearer;
-                bool _e375 = toLight_1;
+                bool _e375 = toLight_2;
                 bool counts = pick(_e374, !(_e375), false);
                 float _e378 = most;
                 bool _e379 = nearer;
@@ -1854,11 +1859,11 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e429 = doubted.instance;
                 uint _e431 = doubted.triangle;
                 vec2 _e433 = doubted.weights;
-                bool _e435 = toLight_1;
+                bool _e435 = toLight_2;
                 bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
                 MeshHit instead = doubted;
                 doubted.instance = noInstance;
-                bool _e442 = toLight_1;
+                bool _e442 = toLight_2;
                 if (pick(_e438, _e442, false)) {
                     found_5.blocked = true;
                     break;
@@ -1872,12 +1877,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
         uint _e447 = current;
         uint _e450 = waiting;
         bool ended = pick((_e447 == ending), (_e450 == noLeaf0_), false);
-        bool _e454 = toLight_1;
+        bool _e454 = toLight_2;
         if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
             break;
         }
-        bool _e461 = toLight_1;
-        toLight_1 = pick(_e461, true, ended);
+        bool _e461 = toLight_2;
+        toLight_2 = pick(_e461, true, ended);
         float _e463 = most;
         most = pick(ended, rays.lightMost, _e463);
         uint _e466 = top;
@@ -2025,8 +2030,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_14 = (((share_5.x * _e67) + (share_5.y * _e71)) + (share_5.z * _e76));
-        vec3 smoothed = (turn_1 * normal_14);
+        vec3 normal_15 = (((share_5.x * _e67) + (share_5.y * _e71)) + (share_5.z * _e76));
+        vec3 smoothed = (turn_1 * normal_15);
         float size_5 = dot(smoothed, smoothed);
         float side_3 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_5 > 0.0), false);
@@ -2063,7 +2068,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
                     float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                     p_8.normal = (smoothed * side_3);
                     p_8.tangent = ((turn_1 * tangent) * side_3);
-                    p_8.bitangent = ((turn_1 * cross(normal_14, tangent)) * (hand * side_3));
+                    p_8.bitangent = ((turn_1 * cross(normal_15, tangent)) * (hand * side_3));
                 }
             }
         }
@@ -2072,65 +2077,65 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     return _e227;
 }
 
-uint emitterOfTriangle(Emitter e_18, LeftTriangle t_6) {
-    return (((t_6.instance - uint(e_18.instance)) * uint(e_18.cosInner)) + (t_6.triangle >> uint(e_18.radius)));
+uint emitterOfTriangle(Emitter e_19, LeftTriangle t_6) {
+    return (((t_6.instance - uint(e_19.instance)) * uint(e_19.cosInner)) + (t_6.triangle >> uint(e_19.radius)));
 }
 
-float spherePdf(Emitter e_19, vec3 point_17, vec3 direction_9) {
-    SphereView _e3 = viewSphere(e_19, point_17);
+float spherePdf(Emitter e_20, vec3 point_17, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_20, point_17);
     bool reached_1 = pick(_e3.inside, true, (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached_1, _e11, 0.0);
 }
 
-float quadPdf(Emitter e_20, vec3 point_18, float distance_2) {
-    QuadView _e3 = viewQuad(e_20, point_18);
-    float _e5 = pdfOfView(_e3, e_20.area, distance_2);
+float quadPdf(Emitter e_21, vec3 point_18, float distance_2) {
+    QuadView _e3 = viewQuad(e_21, point_18);
+    float _e5 = pdfOfView(_e3, e_21.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, vec3 normal_9) {
-    BoxView _e5 = viewBox(e_21, point_19);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_9))), distance_3);
+float boxPdf(Emitter e_22, vec3 point_19, vec3 direction_10, float distance_3, vec3 normal_10) {
+    BoxView _e5 = viewBox(e_22, point_19);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_10))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
+float meshPdf(Emitter e_23, vec3 direction_11, float distance_4, vec3 normal_11, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
-    float _e23 = areaPdf(e_22.area, (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
+    uint row_13 = ((_e7 + uint(e_23.table)) + (place_2 & ((1u << uint(e_23.radius)) - 1u)));
+    float _e23 = areaPdf(e_23.area, (distance_4 * abs(dot(direction_11, normal_11))), distance_4);
     LampTriangle _e24 = fetchLampTriangle(row_13);
     return (_e23 * _e24.density);
 }
 
-float shapePdf(Emitter e_23, vec3 point_20, vec3 direction_12, float distance_5, vec3 normal_11, uint place_3) {
+float shapePdf(Emitter e_24, vec3 point_20, vec3 direction_12, float distance_5, vec3 normal_12, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
-        if ((e_23.kind == 0.0)) {
-            float _e13 = spherePdf(e_23, point_20, direction_12);
+        if ((e_24.kind == 0.0)) {
+            float _e13 = spherePdf(e_24, point_20, direction_12);
             pdf = _e13;
         }
     }
     const bool _e15 = hasQuadLights;
     if (_e15) {
-        if ((e_23.kind == 1.0)) {
-            float _e19 = quadPdf(e_23, point_20, distance_5);
+        if ((e_24.kind == 1.0)) {
+            float _e19 = quadPdf(e_24, point_20, distance_5);
             pdf = _e19;
         }
     }
     const bool _e21 = hasBoxLights;
     if (_e21) {
-        if ((e_23.kind == 2.0)) {
-            float _e25 = boxPdf(e_23, point_20, direction_12, distance_5, normal_11);
+        if ((e_24.kind == 2.0)) {
+            float _e25 = boxPdf(e_24, point_20, direction_12, distance_5, normal_12);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
-        if ((e_23.kind == 7.0)) {
-            float _e31 = meshPdf(e_23, direction_12, distance_5, normal_11, place_3);
+        if ((e_24.kind == 7.0)) {
+            float _e31 = meshPdf(e_24, direction_12, distance_5, normal_12, place_3);
             pdf = _e31;
         }
     }
@@ -2265,28 +2270,28 @@ vec3 outwardNormal(uint i_27, Ray ray_7, float t_7) {
     return _e37;
 }
 
-bool isOnDisc(Emitter e_24, vec3 direction_15) {
-    vec3 chord = (direction_15 + e_24.u);
-    return ((3.1415927 * dot(chord, chord)) < e_24.area);
+bool isOnDisc(Emitter e_25, vec3 direction_15) {
+    vec3 chord = (direction_15 + e_25.u);
+    return ((3.1415927 * dot(chord, chord)) < e_25.area);
 }
 
-float directionalPdf(Emitter e_25, vec3 direction_16) {
-    bool _e7 = isOnDisc(e_25, direction_16);
-    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_26, vec3 direction_16) {
+    bool _e7 = isOnDisc(e_26, direction_16);
+    return pick(_e7, (1.0 / max(e_26.area, 1e-31)), 0.0);
 }
 
-FarLight farLight(Emitter e_26, vec3 direction_17, FarLight sky_1) {
+FarLight farLight(Emitter e_27, vec3 direction_17, FarLight sky_1) {
     FarLight far_2 = FarLight(vec3(0.0), 0.0);
     const bool _e9 = hasSuns;
     if (_e9) {
-        bool _e13 = isOnDisc(e_26, direction_17);
-        bool seen_1 = pick((e_26.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_26, direction_17);
-        far_2 = FarLight(pick(seen_1, e_26.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+        bool _e13 = isOnDisc(e_27, direction_17);
+        bool seen_1 = pick((e_27.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_27, direction_17);
+        far_2 = FarLight(pick(seen_1, e_27.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
     }
     const bool _e24 = hasSky;
     if (_e24) {
-        if ((e_26.kind == 6.0)) {
+        if ((e_27.kind == 6.0)) {
             far_2 = sky_1;
         }
     }

@@ -74,7 +74,7 @@ fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32
   return probability;
 }
 
-// The same of one that is.
+// The same of one that is in the tree.
 fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = 0.0;
   if (frame.lightTreeDepth > 0u) {
@@ -120,7 +120,7 @@ struct Emitter {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -143,8 +143,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let distance2 = dot(toLight, toLight);
   let distance = sqrt(distance2);
   let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let cosine = cosineTowards(e, toLight, grown, normal);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
   var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
@@ -181,6 +180,12 @@ const quadKind = 1.0;
 override hasSuns = false;
 
 const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
 
 const pi = 3.14159265359;
 
@@ -282,6 +287,8 @@ struct Frame {
   lampTables: u32,
   // column and row of the picture that the first texel of the film holds
   origin: vec2u,
+  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
+  relayRow: u32,
 }
 
 

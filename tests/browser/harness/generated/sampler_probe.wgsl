@@ -250,6 +250,8 @@ struct Frame {
   lampTables: u32,
   // column and row of the picture that the first texel of the film holds
   origin: vec2u,
+  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
+  relayRow: u32,
 }
 
 

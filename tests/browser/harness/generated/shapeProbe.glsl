@@ -66,6 +66,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct Extent {
     vec4 a;

@@ -1,4 +1,4 @@
-import { DeviceError, type PassSource } from '../device.ts';
+import { DeviceError, type GlslSource } from '../device.ts';
 
 /**
  * Compiles and links without blocking where KHR_parallel_shader_compile is there. Its `DeviceError` carries the compiler's log. `fragment`: the
@@ -6,7 +6,7 @@ import { DeviceError, type PassSource } from '../device.ts';
  */
 export async function compileProgram(
   gl: WebGL2RenderingContext,
-  source: PassSource,
+  source: GlslSource,
   fragment: string,
 ): Promise<WebGLProgram> {
   const parallel = gl.getExtension('KHR_parallel_shader_compile');

@@ -7,10 +7,11 @@ import {
   DeviceError,
   type FilmTexture,
   type FloatTexture,
+  type GlslSource,
   noRoom,
   type Pass,
-  type PassSource,
   type Region,
+  type Relay,
   type Resource,
   type TableTexture,
   type UniformBuffer,
@@ -39,6 +40,11 @@ interface GlFilm extends FilmTexture {
 interface GlUniforms extends UniformBuffer {
   readonly buffer: WebGLBuffer;
 }
+
+/** Layers that passes draw into at once where they keep words: more than WebGL2 promises. */
+const RELAY_LAYERS = 8;
+/** What Windows' shader compiler stands behind: it takes the square of a program's length, and more for loops. */
+const COMPILES_SLOWLY = /Direct3D11/;
 
 /** Samples that a film of half floats sums up before rounding shows. */
 const MOST_HALF_FLOAT_SAMPLES = 32;
@@ -109,6 +115,7 @@ class WebGl2Device implements Device {
   readonly maxFilmSamples: number;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly compute = null;
+  readonly relay: Relay | null;
   readonly lost: Promise<string>;
   readonly #gl: WebGL2RenderingContext;
   readonly #canvas: HTMLCanvasElement;
@@ -128,6 +135,7 @@ class WebGl2Device implements Device {
     this.#isSoftware = this.description.includes('SwiftShader');
     this.maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     this.maxFilmSamples = filmFormat === gl.RGBA32F ? 2 ** 24 : MOST_HALF_FLOAT_SAMPLES;
+    this.relay = gl.getParameter(gl.MAX_DRAW_BUFFERS) < RELAY_LAYERS ? null : this.#relay();
     const losing = gl.getExtension('WEBGL_lose_context');
     if (losing) loseContext.set(canvas, losing);
     let report: (reason: string) => void = () => {};
@@ -143,7 +151,16 @@ class WebGl2Device implements Device {
     gl.disable(gl.DITHER);
   }
 
-  async createPass(source: PassSource): Promise<Pass> {
+  #relay(): Relay {
+    return {
+      pays: COMPILES_SLOWLY.test(this.description),
+      createPass: (source) => this.createPass(source),
+      createWords: (width, height, layers) => this.#film(width, height, layers, this.#gl.RGBA32UI),
+      drawAsking: (pass, target, resources, region) => this.#drawAsking(pass, target, resources, region),
+    };
+  }
+
+  async createPass(source: GlslSource): Promise<Pass> {
     const gl = this.#gl;
     this.counts.programsMade++;
     const textures = source.bindings.map((b) => ('block' in b ? '' : 'data' in b ? b.data : b.texture));
@@ -238,8 +255,12 @@ class WebGl2Device implements Device {
   }
 
   createFilm(width: number, height: number, count = 1): FilmTexture {
+    return this.#film(width, height, count, this.#filmFormat);
+  }
+
+  #film(width: number, height: number, count: number, format: number): FilmTexture {
     const gl = this.#gl;
-    const layers = Array.from({ length: count }, () => this.#texture(width, height, this.#filmFormat));
+    const layers = Array.from({ length: count }, () => this.#texture(width, height, format));
     const framebuffer = this.#framebuffer(layers);
     const destroy = () => {
       this.counts.textures -= count;
@@ -285,6 +306,20 @@ class WebGl2Device implements Device {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     if (region) gl.disable(gl.SCISSOR_TEST);
     gl.flush();
+  }
+
+  async #drawAsking(pass: Pass, target: FilmTexture, resources: readonly Resource[], region: Region): Promise<boolean> {
+    const gl = this.#gl;
+    const query = gl.createQuery();
+    if (!query) return false; // lost
+    gl.beginQuery(gl.ANY_SAMPLES_PASSED, query);
+    this.draw(pass, target, resources, region);
+    gl.endQuery(gl.ANY_SAMPLES_PASSED);
+    await this.finished();
+    while (!gl.isContextLost() && !gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) await nextTask();
+    const drew = gl.getQueryParameter(query, gl.QUERY_RESULT);
+    gl.deleteQuery(query);
+    return Boolean(drew);
   }
 
   /** Fences are asked in turn, so a later one may be seen to have been passed before the one in front of it is asked again. */

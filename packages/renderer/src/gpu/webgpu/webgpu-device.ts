@@ -27,14 +27,15 @@ interface WebGpuPass extends Pass {
   readonly bindings: readonly PassBinding[];
   readonly pipeline: GPURenderPipeline | GPUComputePipeline;
   readonly layout: GPUBindGroupLayout;
-  readonly handedRows: number;
+  /** Comes after it, if it computes. */
+  readonly adding: GPUComputePipeline | null;
 }
 interface GpuResource {
   readonly binding: GPUBindingResource;
 }
 
-/** What threads of a pixel hand to one another in one dispatch, bytes: every device grants so much, and it keeps the largest GPU busy. */
-const HANDED_BYTES = 64 * 1024 * 1024;
+/** Film samples of one dispatch, bytes, where the device grants so much: it keeps the largest GPU busy. */
+const HANDED_BYTES = 256 * 1024 * 1024;
 
 /** Limits that are asked for as high as the adapter goes. */
 const LIMITS = [
@@ -132,6 +133,7 @@ class WebGpuDevice implements Device {
   readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly compute: WebGpuCompute | null;
+  readonly relay = null;
   readonly lost: Promise<string>;
   readonly #options: Required<WebGpuOptions>;
   readonly #device: GPUDevice;
@@ -172,16 +174,18 @@ class WebGpuDevice implements Device {
     const layout = this.#device.createBindGroupLayout(layoutOf(source, !samplesData));
     this.counts.programsMade++;
     try {
-      const pipeline = await (source.compute
-        ? this.#computePipeline(source, layout)
-        : this.#renderPipeline(source, layout));
+      const { compute } = source;
+      const [pipeline, adding] = await Promise.all([
+        compute ? this.#computePipeline(source, compute.entry, layout) : this.#renderPipeline(source, layout),
+        compute ? this.#computePipeline(source, compute.adding, layout) : null,
+      ]);
       const pass: WebGpuPass = {
         label: source.label,
         addsMany: source.compute !== undefined,
         bindings: source.bindings,
         pipeline,
+        adding,
         layout,
-        handedRows: source.compute?.handedRows ?? 0,
       };
       return pass;
     } catch (error) {
@@ -189,8 +193,8 @@ class WebGpuDevice implements Device {
     }
   }
 
-  #computePipeline(source: PassSource, layout: GPUBindGroupLayout): Promise<GPUComputePipeline> {
-    const { wgsl, entry } = source.compute!;
+  #computePipeline(source: PassSource, entry: string, layout: GPUBindGroupLayout): Promise<GPUComputePipeline> {
+    const { wgsl } = source.compute!;
     return this.#device.createComputePipelineAsync({
       label: source.label,
       layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
@@ -346,10 +350,11 @@ class WebGpuDevice implements Device {
   }
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
-    const { width, firstRow, rowCount, tile = [8, 8], shares = 1 } = region;
-    const rowBytes = shares > 1 ? width * shares * pass.handedRows * 16 : 0;
+    const { width, firstRow, rowCount, tile = [8, 8], samples = 1 } = region;
+    const rowBytes = width * samples * 16;
+    const room = Math.min(HANDED_BYTES, this.#device.limits.maxStorageBufferBindingSize);
     // Whole rows of workgroups.
-    const most = Math.max(Math.floor(HANDED_BYTES / rowBytes / tile[1]), 1) * tile[1];
+    const most = Math.max(Math.floor(room / rowBytes / tile[1]), 1) * tile[1];
     for (let row = 0; row < rowCount; row += most) {
       const rows = Math.min(most, rowCount - row);
       const inputs = [...resources, this.#regionOf(firstRow + row, width, rows)];
@@ -361,6 +366,8 @@ class WebGpuDevice implements Device {
       computePass.setPipeline(pass.pipeline as GPUComputePipeline);
       computePass.setBindGroup(0, this.#group(pass, [...bound, ...viewsOf(film), handed]));
       computePass.dispatchWorkgroups(Math.ceil(width / tile[0]), Math.ceil(rows / tile[1]));
+      computePass.setPipeline(pass.adding!);
+      computePass.dispatchWorkgroups(Math.ceil(width / 8), Math.ceil(rows / 8));
       computePass.end();
       this.#device.queue.submit([encoder.finish()]);
     }
@@ -372,14 +379,14 @@ class WebGpuDevice implements Device {
     return this.#region;
   }
 
-  /** Grows with what is asked for; where a pixel has one thread it is not used. */
+  /** Grows with what is asked for. */
   #roomFor(bytes: number): GPUBuffer {
     if (this.#handed && this.#handed.size >= bytes) return this.#handed;
     if (this.#handed) this.#handed.destroy();
     else this.counts.buffers++;
     this.#handed = this.#device.createBuffer({
       label: 'handed',
-      size: Math.max(bytes, 16),
+      size: bytes,
       usage: GPUBufferUsage.STORAGE,
     });
     return this.#handed;

@@ -17,13 +17,14 @@ import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
 import pathWgsl from '../../shading/generated/path.wgsl?raw';
 import { sourceFor } from '../../shading/program-text.ts';
+import type { RelayWords } from './relay-room.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
 
 /**
- * Where a call may add many samples, groups of so many are rounded together, and it may touch so many groups at most: the compute pass
- * keeps their sums apart (path_entries.wesl). The film is the same however many it touches, but where one is cut.
+ * Where a call may add many samples, groups of so many are rounded together, and it may touch so many groups at most, since all samples
+ * are kept until they are added (path_entries.wesl). The film is the same however many it touches, but where one is cut.
  */
 export const SAMPLES_OF_GROUP = 32;
 export const MOST_GROUPS = 8;
@@ -47,7 +48,7 @@ const PATH: PassSource = {
     TEXELS,
   ],
   target: 'film',
-  compute: { wgsl: pathWgsl, entry: 'pathCompute', handedRows: 2 },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute', adding: 'addHanded' },
   layers: PATH_LAYERS,
 };
 
@@ -60,6 +61,29 @@ export interface PathInputs {
   readonly geometry: DataBuffer;
   readonly texels: DataBuffer;
 }
+
+/** One film sample, as a program of several passes adds it. */
+export interface RelaySample {
+  readonly film: FilmTexture;
+  readonly inputs: PathInputs;
+  readonly words: RelayWords;
+  readonly width: number;
+  readonly height: number;
+  /** Infinity: no limit. */
+  readonly maxDepth: number;
+  readonly rowsPerSubmit: () => number;
+  /** Writes `frame.relayRow` for what is drawn next. */
+  readonly takeRow: (row: number) => void;
+  readonly unwanted: () => boolean;
+  /** Called with the pixels of a submit that is done, and when it was begun. */
+  readonly measured: (pixels: number, begun: number) => void;
+}
+/** A program of several passes, which sees itself to its draws. */
+export interface RelayPass extends Pass {
+  /** Resolves when the device is done: to false when it was given up, since `unwanted` said so. */
+  addSample(sample: RelaySample): Promise<boolean>;
+}
+export const isRelay = (pass: Pass): pass is RelayPass => 'addSample' in pass;
 
 /** A program for films that ask for no more than these features. */
 export async function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {

@@ -47,7 +47,6 @@ struct Sampler {
 struct Path {
     RayPair rays;
     vec3 light;
-    bool alive;
     vec3 throughput;
     bool escaped;
     uint depth;
@@ -97,6 +96,7 @@ struct Frame {
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
+    uint relayRow;
 };
 struct Groups {
     uvec2 index;
@@ -189,7 +189,7 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
-struct Cover {
+struct Cover0_ {
     vec4 uv;
     float opacity;
 };
@@ -229,6 +229,21 @@ struct Surface {
     float metallic;
     vec3 absorption;
     float textures;
+};
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
+struct Meeting {
+    vec3 point;
+    uint shape;
+    Surface surface;
+    bool isClear;
+    vec3 geometric;
+    vec3 outward;
+    Basis basis;
+    vec3 wo;
 };
 struct SurfacePoint {
     Surface surface;
@@ -275,10 +290,85 @@ struct Bumps {
     vec3 base;
     vec3 coat;
 };
-struct Basis {
-    vec3 tangent;
-    vec3 bitangent;
-    vec3 normal;
+struct LightSample {
+    vec3 direction;
+    float distance_;
+    vec3 radiance;
+    float pdf;
+    bool delta;
+};
+struct Lit {
+    LightSample light;
+    float pdf;
+    float shape;
+    Odds odds;
+    vec3 u;
+};
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+};
+struct Stack {
+    vec3 wo;
+    float side;
+    vec3 hero;
+    float ratio;
+    bool inside;
+    vec3 more;
+    vec2 alpha;
+    float coatAlpha;
+    float coat;
+    float sheen;
+    float sheenColor;
+    float ofCoat;
+    float ofFacets;
+    float ofSheen;
+    float ofDiffuse;
+    bool drawnByCoat;
+};
+struct Reflectance {
+    vec3 dielectric;
+    vec3 metal;
+};
+struct BsdfSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct LayeredSample {
+    vec3 direction;
+    float pdf;
+    bool delta;
+};
+struct Parting {
+    vec3 toward;
+    vec3 beyond;
+};
+struct Pair {
+    vec4 toLight;
+    BsdfSample drawn;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
+struct LayeredPair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct Facets {
+    float value;
+    float density;
+    float cosine;
+};
+struct Cover {
+    float left;
+    vec4 fibres;
 };
 struct Emitter {
     vec3 position;
@@ -360,13 +450,6 @@ struct EmitterChoice {
     float probability;
     Odds odds;
 };
-struct LightSample {
-    vec3 direction;
-    float distance_;
-    vec3 radiance;
-    float pdf;
-    bool delta;
-};
 struct ConeDirection {
     vec3 direction;
     float cosine;
@@ -402,72 +485,6 @@ struct Corners {
     vec4 b;
     vec4 c;
     vec4 d;
-};
-struct Outgoing {
-    vec3 wo;
-    float share;
-    float ratio;
-    float bound;
-    float stretched;
-};
-struct Stack {
-    vec3 wo;
-    float side;
-    vec3 hero;
-    float ratio;
-    bool inside;
-    vec3 more;
-    vec2 alpha;
-    float coatAlpha;
-    float coat;
-    float sheen;
-    float sheenColor;
-    float ofCoat;
-    float ofFacets;
-    float ofSheen;
-    float ofDiffuse;
-    bool drawnByCoat;
-};
-struct Reflectance {
-    vec3 dielectric;
-    vec3 metal;
-};
-struct BsdfSample {
-    vec3 direction;
-    float pdf;
-    vec3 weight;
-    bool delta;
-};
-struct LayeredSample {
-    vec3 direction;
-    float pdf;
-    bool delta;
-};
-struct Parting {
-    vec3 toward;
-    vec3 beyond;
-};
-struct Pair {
-    vec4 toLight;
-    BsdfSample drawn;
-};
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
-};
-struct LayeredPair {
-    vec4 toLight;
-    vec4 toSample;
-};
-struct Facets {
-    float value;
-    float density;
-    float cosine;
-};
-struct Cover0_ {
-    float left;
-    vec4 fibres;
 };
 struct FarLight {
     vec3 radiance;
@@ -526,10 +543,10 @@ const uint filmSlot = 14u;
 const uint filmThicknessSlot = 15u;
 const uint anisotropySlot = 13u;
 const uint dielectric_1 = 3u;
-const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint diffuse0_ = 0u;
 const uint rouletteDepth = 5u;
+const EnvironmentLight white0_ = EnvironmentLight(vec3(1.0), 0.07957747);
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -595,6 +612,14 @@ const bool hasGlass = false;
 
 vec3 grainHere = vec3(0.0);
 
+const bool hasConductors = false;
+
+Stack stackHere = Stack(vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+
+const bool hasCompensation = false;
+
+const bool hasMirrorLayers = true;
+
 const bool hasMeshLamps = false;
 
 const bool hasManyLights = true;
@@ -619,14 +644,6 @@ const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
 
-const bool hasConductors = false;
-
-Stack stackHere = Stack(vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
-
-const bool hasCompensation = false;
-
-const bool hasMirrorLayers = true;
-
 uniform highp sampler2D previousFilm;
 
 uniform highp sampler2D previousSquares;
@@ -634,9 +651,17 @@ uniform highp sampler2D previousSquares;
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
+Path noPath() {
+    Path p_1 = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    p_1.rays.lightDirection = vec3(0.0, 1.0, 0.0);
+    p_1.rays.lightDistance = -1.0;
+    Path _e10 = p_1;
+    return _e10;
+}
+
 uint pcg(uint x) {
-    uint s_27 = ((x * 747796405u) + 2891336453u);
-    uint w_5 = (((s_27 >> ((s_27 >> 28u) + 4u)) ^ s_27) * 277803737u);
+    uint s_26 = ((x * 747796405u) + 2891336453u);
+    uint w_5 = (((s_26 >> ((s_26 >> 28u) + 4u)) ^ s_26) * 277803737u);
     return ((w_5 >> 22u) ^ w_5);
 }
 
@@ -821,10 +846,10 @@ vec2 next2d(inout Sampler s_2) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_17 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_17.x) > abs(p_17.y));
-    float radius_1 = pick(wide, p_17.x, p_17.y);
-    float ratio_6 = (pick(wide, p_17.y, p_17.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_22 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_22.x) > abs(p_22.y));
+    float radius_1 = pick(wide, p_22.x, p_22.y);
+    float ratio_6 = (pick(wide, p_22.y, p_22.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -892,31 +917,36 @@ vec2 lensPoint_2(inout Sampler s_3) {
     return _e7;
 }
 
-RayPair oneRay(vec3 origin, vec3 direction, uint number) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 uint numberOfNext(Sampler s_4) {
     uint _e8 = mixBits((((s_4.key + 1u) ^ s_4.salt) ^ 2246822507u));
     uint _e15 = mixBits((_e8 + ((s_4.sample_ << 8u) | s_4.place)));
     return _e15;
 }
 
-Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
-    Sampler s_5 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.seed;
-    Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
-    s_5 = _e5;
-    vec2 _e11 = next2d(s_5);
-    vec2 _e12 = filterOffset(_e11);
-    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
-    vec2 _e14 = lensPoint_2(s_5);
-    CameraRay _e15 = cameraRay(filmPosition_2, _e14);
-    Sampler _e18 = s_5;
-    uint _e19 = numberOfNext(_e18);
-    RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e35 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), false, 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e35);
+void startPath(inout Path p_2, uvec2 pixel_2, uint sampleIndex_2) {
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, sampleIndex_2, _e6);
+    p_2.sampler_ = _e7;
+    vec2 _e13 = next2d(p_2.sampler_);
+    vec2 _e14 = filterOffset(_e13);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e14);
+    vec2 _e17 = lensPoint_2(p_2.sampler_);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    p_2.rays.point = _e18.origin;
+    p_2.rays.shape = noShape;
+    p_2.rays.left = noTriangle;
+    p_2.rays.tMin = 0.0;
+    p_2.rays.goesOn = true;
+    p_2.rays.direction = _e18.direction;
+    Sampler _e40 = p_2.sampler_;
+    uint _e41 = numberOfNext(_e40);
+    p_2.rays.number = _e41;
+    p_2.light = vec3(0.0);
+    p_2.throughput = vec3(1.0);
+    p_2.depth = 1u;
+    p_2.radiance = vec3(0.0);
+    p_2.pdf = 0.0;
+    return;
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -929,10 +959,10 @@ Bounds fetchBounds(uint i) {
     return Bounds(_e2.xyz, _e2.w);
 }
 
-float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin_1);
-    float along = dot(toCenter, direction_1);
-    vec3 across_2 = (toCenter - (along * direction_1));
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_2 = (toCenter - (along * direction));
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
@@ -941,20 +971,20 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
-    bool own_4 = (i_1 == p_1.shape);
-    float pathT = pick(pick(own_4, !(p_1.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_4, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+PairHit meet(PairHit found, RayPair p_3, uint i_1, vec2 t) {
+    bool own_4 = (i_1 == p_3.shape);
+    float pathT = pick(pick(own_4, !(p_3.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_4, !(p_3.lightInwards), false), true, (i_1 == p_3.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
-    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_3.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
+PairHit meetSphere(PairHit found_1, RayPair p_4, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_5 = (i_2 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
+    bool own_5 = (i_2 == p_4.shape);
+    float _e13 = intersectSphere(p_4.point, p_4.direction, _e3.center, _e3.radius, p_4.tMin, pick(own_5, p_4.inwards, false));
+    float _e21 = intersectSphere(p_4.point, p_4.lightDirection, _e3.center, _e3.radius, p_4.tMin, pick(own_5, p_4.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_4, i_2, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -981,72 +1011,72 @@ vec3 turned(vec4 q_1, vec3 v_1) {
     return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_2) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2, origin_3);
-    vec3 middle = (-(origin_3) * _e3);
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_10 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_10 > tMin_1), false), t_10, 1e30));
 }
 
-PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
+PairHit meetBox(PairHit found_2, RayPair p_5, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_6 = (i_4 == p_3.shape);
-    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
-    vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.inwards, false));
-    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.lightInwards, false));
-    PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
+    bool own_6 = (i_4 == p_5.shape);
+    vec3 _e11 = turned(_e4.a, (p_5.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_5.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_5.tMin, pick(own_6, p_5.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_5.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_5.tMin, pick(own_6, p_5.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_5, i_4, vec2(_e20, _e29));
     return _e31;
 }
 
-float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_13 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_13);
-    vec3 toCenter_1 = (center_1 - origin_5);
-    float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_18 = ((t_11 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_18, reciprocalU)), abs(dot(p_18, reciprocalV))) <= 0.500001);
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_15 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_15);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_11 = (dot(toCenter_1, normal_15) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_23 = ((t_11 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_23, reciprocalU)), abs(dot(p_23, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
+PairHit meetQuad(PairHit found_3, RayPair p_6, uint i_5) {
     Bounds _e3 = fetchBounds(i_5);
     Extent _e4 = fetchExtent(i_5);
-    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
-    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
-    PairHit _e24 = meet(found_3, p_4, i_5, vec2(_e13, _e22));
+    float _e13 = intersectQuad(p_6.point, p_6.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_6.tMin);
+    float _e22 = intersectQuad(p_6.point, p_6.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_6.tMin);
+    PairHit _e24 = meet(found_3, p_6, i_5, vec2(_e13, _e22));
     return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_5, normal);
-    float t_12 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_12 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_12 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_12, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
+PairHit meetPlane(PairHit found_4, RayPair p_7, uint i_6) {
     Bounds _e3 = fetchBounds(i_6);
-    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
-    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
-    PairHit _e17 = meet(found_4, p_5, i_6, vec2(_e9, _e15));
+    float _e9 = intersectPlane(p_7.point, p_7.direction, _e3.center, _e3.radius, p_7.tMin);
+    float _e15 = intersectPlane(p_7.point, p_7.lightDirection, _e3.center, _e3.radius, p_7.tMin);
+    PairHit _e17 = meet(found_4, p_7, i_6, vec2(_e9, _e15));
     return _e17;
 }
 
@@ -1068,20 +1098,20 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+SlabRay slabRay(vec3 origin_6, vec3 direction_5) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_5, vec3(1e-18), lessThan(abs(direction_5), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_6) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_5, vec3(0.0))))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_2) {
     return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
 }
 
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
+MeshRay meshRay(vec3 origin_7, vec3 direction_6) {
+    vec3 size_1 = abs(direction_6);
     uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+    vec3 _e16 = turnedTo(axis_3, direction_6);
+    return MeshRay(origin_7, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 vec4 larger0_(vec4 a, vec4 b) {
@@ -1115,9 +1145,9 @@ vec4 enterChildren(uint node, SlabRay r, float t_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_19 = (a_2.x * b_2.y);
+    float p_24 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_19)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_24)));
 }
 
 bool isWithin(float u_4, float v_3, float w_1) {
@@ -1172,8 +1202,8 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
-Cover coverAt(uvec3 rows, uint each, vec2 weights) {
-    Cover c = Cover(vec4(0.0), 1.0);
+Cover0_ coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover0_ c = Cover0_(vec4(0.0), 1.0);
     vec3 share_1 = vec3(((1.0 - weights.x) - weights.y), weights);
     if ((each != 0u)) {
         Vertex _e19 = fetchVertex(rows.x);
@@ -1193,7 +1223,7 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
         vec2 _e72 = pairOf(_e47.blueAlpha);
         c.opacity = dot(share_1, vec3(_e66.y, _e69.y, _e72.y));
     }
-    Cover _e76 = c;
+    Cover0_ _e76 = c;
     return _e76;
 }
 
@@ -1260,14 +1290,14 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
+bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
     uint row_11 = (_e10.cover & coverRow);
     MaterialTextures _e19 = fetchMaterialTextures(row_11);
-    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    Cover0_ _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
         TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
@@ -1275,7 +1305,7 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
     }
-    uint _e57 = pcg(number_1);
+    uint _e57 = pcg(number);
     uint _e59 = pcg((instance + _e57));
     uint _e61 = pcg((place + _e59));
     float _e62 = unitFloat(_e61);
@@ -1338,8 +1368,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e104 = instance_1;
                 Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
                 vec3 _e109 = o;
-                vec4 p_20 = vec4(_e109, 1.0);
-                o = vec3(dot(_e108.toMeshX, p_20), dot(_e108.toMeshY, p_20), dot(_e108.toMeshZ, p_20));
+                vec4 p_25 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_25), dot(_e108.toMeshY, p_25), dot(_e108.toMeshZ, p_25));
                 vec3 _e121 = d_1;
                 vec3 _e125 = d_1;
                 vec3 _e129 = d_1;
@@ -1538,11 +1568,11 @@ uint rowOfInstance(uint instance_2) {
     return _e7.row;
 }
 
-PairHit meetMeshes(PairHit found_6, RayPair p_6) {
+PairHit meetMeshes(PairHit found_6, RayPair p_8) {
     PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
-    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
-    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
-    MeshHit _e17 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost, p_6.number), p_6.left);
+    float most_1 = pick(p_8.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_8.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_8.point, p_8.direction, p_8.lightDirection, p_8.tMin, most_1, lightMost, p_8.number), p_8.left);
     result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
     if ((_e17.instance != noInstance)) {
         result.t = _e17.t;
@@ -1554,7 +1584,7 @@ PairHit meetMeshes(PairHit found_6, RayPair p_6) {
     return _e39;
 }
 
-PairHit tracePair(RayPair p_7) {
+PairHit tracePair(RayPair p_9) {
     PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_10 = 0u;
     uvec4 ends_1 = frame.shapeEnds;
@@ -1565,7 +1595,7 @@ PairHit tracePair(RayPair p_7) {
             while(true) {
                 PairHit _e21 = found_7;
                 uint _e22 = i_10;
-                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                PairHit _e23 = meetSphere(_e21, p_9, _e22);
                 found_7 = _e23;
                 uint _e25 = i_10;
                 i_10 = (_e25 + 1u);
@@ -1583,7 +1613,7 @@ PairHit tracePair(RayPair p_7) {
             while(true) {
                 PairHit _e35 = found_7;
                 uint _e36 = i_10;
-                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                PairHit _e37 = meetBox(_e35, p_9, _e36);
                 found_7 = _e37;
                 uint _e39 = i_10;
                 i_10 = (_e39 + 1u);
@@ -1601,7 +1631,7 @@ PairHit tracePair(RayPair p_7) {
             while(true) {
                 PairHit _e49 = found_7;
                 uint _e50 = i_10;
-                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                PairHit _e51 = meetQuad(_e49, p_9, _e50);
                 found_7 = _e51;
                 uint _e53 = i_10;
                 i_10 = (_e53 + 1u);
@@ -1619,7 +1649,7 @@ PairHit tracePair(RayPair p_7) {
             while(true) {
                 PairHit _e63 = found_7;
                 uint _e64 = i_10;
-                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                PairHit _e65 = meetPlane(_e63, p_9, _e64);
                 found_7 = _e65;
                 uint _e67 = i_10;
                 i_10 = (_e67 + 1u);
@@ -1633,7 +1663,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e73 = hasMeshes;
     if (_e73) {
         PairHit _e74 = found_7;
-        PairHit _e75 = meetMeshes(_e74, p_7);
+        PairHit _e75 = meetMeshes(_e74, p_9);
         found_7 = _e75;
     }
     PairHit _e76 = found_7;
@@ -1646,12 +1676,12 @@ bool isPlane(uint i_11) {
     return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
+vec3 boxNormal(vec3 origin_8, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_8, direction_7, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_15 = pick(entering, _e5.near, _e5.far);
-    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
     bool onX = (crossed.x == t_15);
     bool onY = pick(!(onX), (crossed.y == t_15), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
@@ -1673,10 +1703,10 @@ bool isSphere(uint i_13) {
     return (i_13 < _e4);
 }
 
-vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
+vec3 normalAt(RayPair p_10, float t_3, uint i_14) {
     vec3 normal_1 = vec3(0.0);
     Bounds _e3 = fetchBounds(i_14);
-    vec3 origin_10 = (p_8.point - _e3.center);
+    vec3 origin_9 = (p_10.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
@@ -1688,10 +1718,10 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_14);
-        bool inside_1 = pick((i_14 == p_8.shape), p_8.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_10);
-        vec3 _e31 = turned(_e22.a, p_8.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_1);
+        bool inside_1 = pick((i_14 == p_10.shape), p_10.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_9);
+        vec3 _e31 = turned(_e22.a, p_10.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_10.tMin, inside_1);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_14);
@@ -1699,10 +1729,10 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 outwards = (origin_10 + (t_3 * p_8.direction));
+        vec3 outwards = (origin_9 + (t_3 * p_10.direction));
         vec3 _e46 = normal_1;
         bool _e53 = isSphere(i_14);
-        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_8.direction), outwards), _e46);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_10.direction), outwards), _e46);
     }
     vec3 _e55 = normal_1;
     return normalize(_e55);
@@ -1759,20 +1789,20 @@ Layers layersOf(uint code_3, float eta) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_21 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_2 = ((1.0 - abs(p_21.x)) - abs(p_21.y));
-    vec2 folded = ((vec2(1.0) - abs(p_21.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_21, vec2(0.0))));
-    return normalize(vec3(pick((z_2 < 0.0), folded, p_21), z_2));
+    vec2 p_26 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_2 = ((1.0 - abs(p_26.x)) - abs(p_26.y));
+    vec2 folded = ((vec2(1.0) - abs(p_26.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_26, vec2(0.0))));
+    return normalize(vec3(pick((z_2 < 0.0), folded, p_26), z_2));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
-    MeshPoint p_9 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    MeshPoint p_11 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
     mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
     vec3 geometric_3 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_9 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
+    p_11 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
@@ -1782,23 +1812,23 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_14 = (((share_2.x * _e67) + (share_2.y * _e71)) + (share_2.z * _e76));
-        vec3 smoothed = (turn * normal_14);
+        vec3 normal_16 = (((share_2.x * _e67) + (share_2.y * _e71)) + (share_2.z * _e76));
+        vec3 smoothed = (turn * normal_16);
         float size_2 = dot(smoothed, smoothed);
         float side_4 = pick((dot(smoothed, geometric_3) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_9.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
+        p_11.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
         const bool _e103 = hasTextures;
         if (_e103) {
-            p_9.uv = vec4((((share_2.x * _e54.uv) + (share_2.y * _e56.uv)) + (share_2.z * _e58.uv)), 0.0, 0.0);
+            p_11.uv = vec4((((share_2.x * _e54.uv) + (share_2.y * _e56.uv)) + (share_2.z * _e58.uv)), 0.0, 0.0);
             const bool _e120 = hasVertexMore;
             if (_e120) {
                 if ((_e9.vertexRows > vertexRows)) {
                     VertexMore _e127 = fetchVertexMore((rows_1.x + vertexRows));
                     VertexMore _e131 = fetchVertexMore((rows_1.y + vertexRows));
                     VertexMore _e135 = fetchVertexMore((rows_1.z + vertexRows));
-                    vec4 _e138 = p_9.uv;
-                    p_9.uv = vec4(_e138.xy, (((share_2.x * _e127.uv) + (share_2.y * _e131.uv)) + (share_2.z * _e135.uv)));
+                    vec4 _e138 = p_11.uv;
+                    p_11.uv = vec4(_e138.xy, (((share_2.x * _e127.uv) + (share_2.y * _e131.uv)) + (share_2.z * _e135.uv)));
                     vec2 _e154 = pairOf(_e127.redGreen);
                     vec2 _e158 = pairOf(_e131.redGreen);
                     vec2 _e163 = pairOf(_e135.redGreen);
@@ -1807,7 +1837,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
                     vec2 _e172 = pairOf(_e131.blueAlpha);
                     vec2 _e177 = pairOf(_e135.blueAlpha);
                     vec2 blueAlpha = (((share_2.x * _e168) + (share_2.y * _e172)) + (share_2.z * _e177));
-                    p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+                    p_11.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
                 }
             }
             const bool _e188 = hasNormalMaps;
@@ -1818,14 +1848,14 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
                     vec3 _e206 = fromOctahedral(_e58.tangent);
                     vec3 tangent_2 = (((share_2.x * _e197) + (share_2.y * _e201)) + (share_2.z * _e206));
                     float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                    p_9.normal = (smoothed * side_4);
-                    p_9.tangent = ((turn * tangent_2) * side_4);
-                    p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_4));
+                    p_11.normal = (smoothed * side_4);
+                    p_11.tangent = ((turn * tangent_2) * side_4);
+                    p_11.bitangent = ((turn * cross(normal_16, tangent_2)) * (hand * side_4));
                 }
             }
         }
     }
-    MeshPoint _e227 = p_9;
+    MeshPoint _e227 = p_11;
     return _e227;
 }
 
@@ -1887,18 +1917,18 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     }
 }
 
-Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
+Bumps takeUpTextures(inout Surface s_5, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
-    float _e4 = s_6.textures;
+    float _e4 = s_5.textures;
     uint row_12 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_12);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
-    vec3 _e13 = s_6.baseColor;
-    s_6.baseColor = (_e13 * color);
-    vec3 _e16 = s_6.emission;
-    s_6.emission = (_e16 * pick(unlit, color, vec3(1.0)));
+    vec3 _e13 = s_5.baseColor;
+    s_5.baseColor = (_e13 * color);
+    vec3 _e16 = s_5.emission;
+    s_5.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
@@ -1910,19 +1940,19 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
             }
             vec2 _e55 = place_2;
             vec4 _e56 = lookUp(_e42, _e55);
-            vec3 _e58 = s_6.baseColor;
-            s_6.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
-            vec3 _e68 = s_6.emission;
-            s_6.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e58 = s_5.baseColor;
+            s_5.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e68 = s_5.emission;
+            s_5.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
             vec2 share_3 = pick((_e42.slot == metallicRoughnessSlot), _e56.yz, vec2(1.0));
-            float _e85 = s_6.alpha;
+            float _e85 = s_5.alpha;
             float rough = max(((_e85 * share_3.x) * share_3.x), 0.001);
-            float _e94 = s_6.alpha;
-            float _e96 = s_6.code;
+            float _e94 = s_5.alpha;
+            float _e96 = s_5.code;
             bool _e98 = isSmooth(uint(_e96));
-            s_6.alpha = pick(_e98, _e94, rough);
-            float _e101 = s_6.metallic;
-            s_6.metallic = (_e101 * share_3.y);
+            s_5.alpha = pick(_e98, _e94, rough);
+            float _e101 = s_5.metallic;
+            s_5.metallic = (_e101 * share_3.y);
             vec3 bump = (((2.0 * _e56.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
             vec3 _e117 = bumps.base;
             bumps.base = pick((_e42.slot == normalSlot), bump, _e117);
@@ -1963,11 +1993,11 @@ vec3 bent(vec3 g_2, vec3 o_1, vec3 n) {
     return pick((dot(g_2, reflected) >= least), n, raised);
 }
 
-vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
+vec3 validNormal(vec3 geometric, vec3 direction_8, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_5 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_5 * geometric), -(direction_9), (side_5 * n_4));
+    float side_5 = pick((dot(geometric, direction_8) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_5 * geometric), -(direction_8), (side_5 * n_4));
     return (side_5 * _e21);
 }
 
@@ -1984,8 +2014,8 @@ bool letsThrough(uint code_7, float eta_1) {
     return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_1 < 0.0), false));
 }
 
-vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
-    bool agree = ((dot(geometric_1, direction_10) > 0.0) == (dot(shading, direction_10) > 0.0));
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_9, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_9) > 0.0) == (dot(shading, direction_9) > 0.0));
     return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
@@ -2109,9 +2139,9 @@ bool isThin(uint code_8) {
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
-    float m = max((1.0 - cosine), 0.0);
-    float m2_ = (m * m);
-    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+    float m_3 = max((1.0 - cosine), 0.0);
+    float m2_ = (m_3 * m_3);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m_3)));
 }
 
 float coatReflectance(float coat, float cosine_1) {
@@ -2137,990 +2167,89 @@ float coatCosine(float side_1, vec3 w_2) {
     return abs(_e8);
 }
 
-Emitter fetchEmitter(uint i_18) {
-    vec4 _e2 = tableTexel(14u, i_18);
-    vec4 _e4 = tableTexel(15u, i_18);
-    vec4 _e6 = tableTexel(16u, i_18);
-    vec4 _e8 = tableTexel(17u, i_18);
-    vec4 _e10 = tableTexel(18u, i_18);
-    vec4 _e12 = tableTexel(19u, i_18);
-    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
-}
-
-int emitterOf(float code_9) {
-    return ((int(code_9) >> 7u) - 1);
-}
-
-uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
-    return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
-}
-
-Emitter emitterAt(uint i_19, Emitter only) {
-    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    emitter = only;
-    const bool _e4 = hasManyLights;
-    if (_e4) {
-        Emitter _e5 = fetchEmitter(i_19);
-        emitter = _e5;
-    }
-    Emitter _e6 = emitter;
-    return _e6;
-}
-
-SphereView viewSphere(Emitter e_1, vec3 point) {
-    vec3 toCenter_2 = (e_1.position - point);
-    float d_3 = length(toCenter_2);
-    float power = abs(((d_3 - e_1.radius) * (d_3 + e_1.radius)));
-    bool inside_2 = (d_3 <= e_1.radius);
-    float sine_1 = min((e_1.radius / max(d_3, 1e-30)), 1.0);
-    float cosine_20 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_20))));
-}
-
-float conePdf(float width) {
-    return (1.0 / (6.2831855 * max(width, 1e-31)));
-}
-
-float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_11) {
-    SphereView _e3 = viewSphere(e_2, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_11, _e3.toCenter) > 0.0));
-    float _e11 = conePdf(_e3.width);
-    return pick(reached, _e11, 0.0);
-}
-
-float areaPdf(float area, float height, float distance_) {
-    float pdf_1 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
-    return min(pdf_1, 1e30);
-}
-
-float pdfOfView(QuadView q_3, float area_1, float distance_1) {
-    float _e4 = areaPdf(area_1, q_3.height, distance_1);
-    float pdf_2 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
-    return pick(q_3.lit, pdf_2, 0.0);
-}
-
-float arctangent(float x_13) {
-    float a_8 = abs(x_13);
-    bool steep = (a_8 > 2.4142137);
-    bool middle_1 = pick((a_8 > 0.41421357), !(steep), false);
-    float r_4 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_1, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
-    float base_1 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z_3 = (r_4 * r_4);
-    float series = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_13) * (base_1 + (((series * z_3) * r_4) + r_4)));
-}
-
-float stretch(float x_14, vec2 y_5, float h_1) {
-    vec2 r_5 = sqrt(((vec2((x_14 * x_14)) + (y_5 * y_5)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_14 * y_5.y) / (h_1 * r_5.y)));
-    float _e22 = arctangent(((x_14 * y_5.x) / (h_1 * r_5.x)));
-    return (_e16 - _e22);
-}
-
-QuadView viewQuad(Emitter e_3, vec3 point_2) {
-    vec3 corner = (e_3.position - point_2);
-    vec2 lengths = vec2(length(e_3.u), length(e_3.v));
-    vec3 axisX = (e_3.u / vec3(lengths.x));
-    vec3 axisY = (e_3.v / vec3(lengths.y));
-    vec3 normal_15 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_15);
-    float least_1 = (1e-7 * (lengths.x + lengths.y));
-    float height_1 = max(abs(signedHeight), least_1);
-    bool lit = pick((abs(signedHeight) > least_1), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_1 = (low_2 + lengths);
-    vec2 y_10 = vec2(low_2.y, high_1.y);
-    float _e44 = stretch(low_2.x, y_10, height_1);
-    float _e46 = stretch(high_1.x, y_10, height_1);
-    float solidAngle = (_e46 - _e44);
-    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_15 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
-}
-
-float quadPdf(Emitter e_4, vec3 point_3, float distance_2) {
-    QuadView _e3 = viewQuad(e_4, point_3);
-    float _e5 = pdfOfView(_e3, e_4.area, distance_2);
-    return _e5;
-}
-
-BoxView viewBox(Emitter e_5, vec3 point_4) {
-    Extent _e4 = fetchExtent(uint(e_5.shape));
-    vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_4 - e_5.position));
-    bvec3 seen = greaterThan(abs(_e8), e_5.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_5.u.yzx) * e_5.u.zxy), seen);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
-}
-
-float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_12, float distance_3, vec3 normal_4) {
-    BoxView _e5 = viewBox(e_6, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_12, normal_4))), distance_3);
-    float _e12 = conePdf(2.0);
-    return pick(_e5.inside, _e12, _e10);
-}
-
-LampTriangle fetchLampTriangle(uint row_8) {
-    uvec4 _e3 = geometryRow((row_8 + 0u));
-    return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
-}
-
-float meshPdf(Emitter e_7, vec3 direction_13, float distance_4, vec3 normal_5, uint place_3) {
-    uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
-    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_13, normal_5))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_13);
-    return (_e23 * _e24.density);
-}
-
-float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_14, float distance_5, vec3 normal_6, uint place_4) {
-    float pdf = 0.0;
-    const bool _e9 = hasSphereLights;
-    if (_e9) {
-        if ((e_8.kind == 0.0)) {
-            float _e13 = spherePdf(e_8, point_6, direction_14);
-            pdf = _e13;
+Meeting meetingAt(inout Path p_12, PairHit hit_1) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+    RayPair rays_2 = p_12.rays;
+    bool escaped = (hit_1.shape == noShape);
+    uint shape_1 = pick(escaped, 0u, hit_1.shape);
+    SurfacePoint _e10 = surfaceAt(rays_2, hit_1, shape_1);
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
+    vec3 outward_1 = _e10.shading;
+    vec3 normal_17 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e29 = basisAbout(normal_17);
+    basis = _e29;
+    const bool _e32 = hasGrain;
+    if (_e32) {
+        vec3 _e34 = grainHere;
+        if (any(notEqual(_e34, vec3(0.0)))) {
+            vec3 _e40 = grainHere;
+            Basis _e41 = basisAlong(normal_17, _e40);
+            basis = _e41;
         }
     }
-    const bool _e15 = hasQuadLights;
-    if (_e15) {
-        if ((e_8.kind == 1.0)) {
-            float _e19 = quadPdf(e_8, point_6, distance_5);
-            pdf = _e19;
-        }
+    Basis _e42 = basis;
+    vec3 _e45 = toLocal(_e42, -(rays_2.direction));
+    const bool _e47 = hasGlass;
+    const bool _e49 = hasTransmission;
+    if (pick(_e47, true, _e49)) {
+        float _e52 = surface_1.code;
+        bool _e54 = isThin(uint(_e52));
+        bool inside_2 = pick(pick(pick(_e19, !(_e54), false), (_e45.z < 0.0), false), !(escaped), false);
+        vec3 _e64 = p_12.throughput;
+        vec3 _e66 = surface_1.absorption;
+        p_12.throughput = (_e64 * exp((-(_e66) * pick(inside_2, hit_1.t, 0.0))));
     }
-    const bool _e21 = hasBoxLights;
-    if (_e21) {
-        if ((e_8.kind == 2.0)) {
-            float _e25 = boxPdf(e_8, point_6, direction_14, distance_5, normal_6);
-            pdf = _e25;
-        }
+    const bool _e75 = hasCoatNormals;
+    if (_e75) {
+        vec3 _e77 = coatNormalHere;
+        bool away = pick((dot(_e77, rays_2.direction) > 0.0), !(_e19), false);
+        Basis _e85 = basis;
+        vec3 _e87 = coatNormalHere;
+        vec3 _e89 = coatNormalHere;
+        vec3 _e92 = toLocal(_e85, pick(away, -(_e89), _e87));
+        coatNormalHere = _e92;
     }
-    const bool _e27 = hasMeshLamps;
-    if (_e27) {
-        if ((e_8.kind == 7.0)) {
-            float _e31 = meshPdf(e_8, direction_14, distance_5, normal_6, place_4);
-            pdf = _e31;
-        }
-    }
-    float _e32 = pdf;
-    return _e32;
-}
-
-float spotFalloff(Emitter e_9, vec3 toLight_1) {
-    float share_4 = clamp(((-(dot(toLight_1, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
-    return (share_4 * share_4);
-}
-
-float estimatedIrradiance(Emitter e_10, vec3 point_7, vec3 normal_7) {
-    float estimate = 0.0;
-    const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_10.kind == 1.0), false);
-    const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_10.kind == 5.0), false);
-    vec3 middle_2 = (e_10.position + pick(isQuad, (0.5 * (e_10.u + e_10.v)), vec3(0.0)));
-    vec3 toLight_4 = pick(isFar, -(e_10.u), (middle_2 - point_7));
-    float distance2_ = dot(toLight_4, toLight_4);
-    float distance_6 = sqrt(distance2_);
-    float grown = max((distance_6 + e_10.reach), 1e-15);
-    float above_1 = clamp(((dot(normal_7, toLight_4) + e_10.reach) / grown), 0.0, 1.0);
-    float cosine_21 = pick((dot(normal_7, normal_7) == 0.0), 1.0, above_1);
-    float square = pick(isQuad, (distance2_ + (e_10.area / 3.1415927)), max(distance2_, (e_10.area / 12.566371)));
-    estimate = ((e_10.power * cosine_21) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_2 = (-(dot(cross(e_10.u, e_10.v), toLight_4)) / max(e_10.area, 1e-30));
-        float side_7 = pick((e_10.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_10.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
-    }
-    const bool _e94 = hasMeshLamps;
+    const bool _e94 = hasCoats;
     if (_e94) {
-        float alike = length(e_10.v);
-        float across_5 = -(dot(e_10.v, toLight_4));
-        float side_8 = pick((e_10.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_10.reach)) / grown));
-        float sizeOfMesh = (distance2_ + ((e_10.area * (1.0 + (3.0 * alike))) / 12.566371));
-        float _e125 = estimate;
-        estimate = pick((e_10.kind == 7.0), (((e_10.power * cosine_21) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+        vec3 _e96 = surface_1.emission;
+        float _e99 = layersHere.coat;
+        float _e101 = coatCosine(1.0, _e45);
+        float _e102 = coatReflectance(_e99, _e101);
+        surface_1.emission = (_e96 * (1.0 - _e102));
     }
-    const bool _e137 = hasPointLights;
-    if (_e137) {
-        float _e138 = estimate;
-        float _e143 = spotFalloff(e_10, (toLight_4 / vec3(max(distance_6, 1e-15))));
-        estimate = (_e138 * pick((e_10.kind == 4.0), _e143, 1.0));
-    }
-    const bool _e151 = hasSky;
-    if (_e151) {
-        float _e152 = estimate;
-        estimate = pick((e_10.kind == 6.0), e_10.power, _e152);
-    }
-    float _e158 = estimate;
-    return _e158;
+    Surface _e111 = surface_1;
+    Basis _e113 = basis;
+    return Meeting((rays_2.point + (hit_1.t * rays_2.direction)), shape_1, _e111, _e19, _e10.geometric, outward_1, _e113, _e45);
 }
 
-float listedProbability(Emitter e_11, vec3 point_8, vec3 normal_8, Odds odds) {
-    float probability = 0.0;
-    uint _e6 = frame.emitterCount;
-    probability = float(min(_e6, 1u));
-    const bool _e12 = hasManyLights;
-    if (_e12) {
-        uint _e15 = frame.emitterCount;
-        if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_11, point_8, normal_8);
-            probability = (_e18 / max(odds.total, 1e-37));
-            const bool _e24 = hasLightTree;
-            if (_e24) {
-                float _e25 = probability;
-                probability = (_e25 * (1.0 - odds.tree));
-            }
-        }
-    }
-    float _e30 = probability;
-    return _e30;
-}
-
-LightNode fetchLightNode(uint i_20) {
-    vec4 _e2 = tableTexel(0u, i_20);
-    vec4 _e4 = tableTexel(1u, i_20);
-    vec4 _e6 = tableTexel(2u, i_20);
-    vec4 _e8 = tableTexel(3u, i_20);
-    vec4 _e10 = tableTexel(4u, i_20);
-    vec4 _e12 = tableTexel(5u, i_20);
-    vec4 _e14 = tableTexel(6u, i_20);
-    vec4 _e16 = tableTexel(7u, i_20);
-    vec4 _e18 = tableTexel(8u, i_20);
-    vec4 _e20 = tableTexel(9u, i_20);
-    vec4 _e22 = tableTexel(10u, i_20);
-    vec4 _e24 = tableTexel(11u, i_20);
-    return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
-}
-
-vec4 sineOf(vec4 cosine_2) {
-    return sqrt(max((vec4(1.0) - (cosine_2 * cosine_2)), vec4(0.0)));
-}
-
-vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
-    return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
-}
-
-vec4 estimatesOfChildren(LightNode n_3, vec3 point_9, vec3 normal_9) {
-    vec4 x_22 = (n_3.x - vec4(point_9.x));
-    vec4 y_11 = (n_3.y - vec4(point_9.y));
-    vec4 z_4 = (n_3.z - vec4(point_9.z));
-    vec4 distance2_1 = (((x_22 * x_22) + (y_11 * y_11)) + (z_4 * z_4));
-    vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
-    vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
-    vec4 _e33 = sineOf(sinB_1);
-    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
-    vec4 along_2 = (-((((n_3.axisX * x_22) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
-    vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
-    vec4 _e58 = sineOf(cosW);
-    vec4 _e60 = sineOf(n_3.cosWidth);
-    vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
-    vec4 _e63 = sineOf(_e62);
-    vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
-    vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_9.x * x_22) + (normal_9.y * y_11)) + (normal_9.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
-    vec4 _e82 = sineOf(cosN);
-    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
-    vec4 cosIn = pick((dot(normal_9, normal_9) == 0.0), vec4(1.0), above_2);
-    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
-    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
-}
-
-float shareOfTree(float total, float far) {
-    float share_5 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_5));
-}
-
-TreeChoice descend(vec3 point_10, vec3 normal_10, float u_5, int leaf, float far_1) {
-    uint level = 0u;
-    uint node_1 = 0u;
-    float rest = 0.0;
-    TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
-    uint _e7 = frame.lightTreeDepth;
-    level = _e7;
-    rest = u_5;
-    while(true) {
-        uint _e19 = level;
-        level = (_e19 - 1u);
-        uint _e23 = frame.lightTree;
-        uint _e24 = node_1;
-        LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_10, normal_10);
-        float two = (_e27.x + _e27.y);
-        float three = (two + _e27.z);
-        float total_2 = (three + _e27.w);
-        uint _e35 = node_1;
-        if ((_e35 == 0u)) {
-            float _e39 = shareOfTree(total_2, far_1);
-            choice.share = _e39;
-            float _e41 = rest;
-            float _e43 = choice.share;
-            choice.taken = (_e41 < _e43);
-            float _e45 = rest;
-            float _e47 = choice.share;
-            rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
-        }
-        float _e53 = rest;
-        float at_2 = (_e53 * total_2);
-        uint byChance = ((uint((at_2 >= _e27.x)) + uint((at_2 >= two))) + uint((at_2 >= three)));
-        uint _e68 = level;
-        uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
-        bool low_3 = (child < 2u);
-        bool odd = ((child & 1u) == 1u);
-        float own_9 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
-        float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
-        float _e95 = choice.probability;
-        choice.probability = (_e95 * (own_9 / max(total_2, 1e-37)));
-        choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
-        rest = clamp(((at_2 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
-        uint _e121 = node_1;
-        node_1 = (((4u * _e121) + 1u) + child);
-        uint _e126 = level;
-        if ((_e126 == 0u)) {
-            break;
-        }
-    }
-    TreeChoice _e129 = choice;
-    return _e129;
-}
-
-float treeProbability(Emitter e_12, vec3 point_11, vec3 normal_11, Odds odds_1) {
-    float probability_1 = 0.0;
-    uint _e8 = frame.lightTreeDepth;
-    if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_11, normal_11, 0.0, int(max(e_12.leaf, 0.0)), odds_1.total);
-        probability_1 = (_e17.probability * _e17.share);
-    }
-    float _e21 = probability_1;
-    return _e21;
-}
-
-float misWeight(float own_1, float other) {
-    float ratio_7 = (other / own_1);
-    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
-}
-
-vec3 metLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
-    vec3 found_8 = vec3(0.0);
-    uint i_21 = 0u;
-    float probability_2 = 0.0;
-    vec3 direction_22 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_22) > 0.0), false);
-    int _e18 = emitterOf(s_7.code);
-    found_8 = pick(hidden, vec3(0.0), s_7.emission);
-    uint _e28 = frame.emitterCount;
-    if (pick((_e18 >= 0), (_e28 > 0u), false)) {
-        i_21 = uint(max(_e18, 0));
-        const bool _e37 = hasMeshLamps;
-        if (_e37) {
-            if ((hit_1.triangle.instance != noInstance)) {
-                uint _e42 = i_21;
-                uint _e43 = i_21;
-                Emitter _e44 = emitterAt(_e43, only_1);
-                uint _e46 = emitterOfTriangle(_e44, hit_1.triangle);
-                i_21 = (_e42 + _e46);
-            }
-        }
-        uint _e48 = i_21;
-        Emitter _e49 = emitterAt(_e48, only_1);
-        float _e55 = shapePdf(_e49, p_10.rays.point, direction_22, hit_1.t, outward, hit_1.triangle.triangle);
-        float _e60 = listedProbability(_e49, p_10.rays.point, p_10.litSide, p_10.odds);
-        probability_2 = _e60;
-        const bool _e63 = hasLightTree;
-        if (_e63) {
-            if ((_e49.leaf >= 0.0)) {
-                float _e71 = treeProbability(_e49, p_10.rays.point, p_10.litSide, p_10.odds);
-                probability_2 = _e71;
-            }
-        }
-        vec3 _e72 = found_8;
-        float _e74 = probability_2;
-        float _e76 = misWeight(p_10.pdf, (_e55 * _e74));
-        found_8 = (_e72 * pick((p_10.pdf <= 0.0), 1.0, _e76));
-    }
-    vec3 _e83 = found_8;
-    return _e83;
-}
-
-uvec2 pascalW2_(uvec2 x_15) {
-    uvec2 y_6 = uvec2(0u);
-    uvec2 _e7 = timesW2_(((x_15 >> uvec2(2u)) & uvec2(13107u)));
-    y_6 = (x_15 ^ _e7);
-    uvec2 _e10 = y_6;
-    uvec2 _e11 = y_6;
-    uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
-    y_6 = (_e10 ^ _e18);
-    uvec2 _e20 = y_6;
-    uvec2 _e21 = y_6;
-    uvec2 _e28 = timesW2_(((_e21 >> uvec2(8u)) & uvec2(255u)));
-    return (_e20 ^ _e28);
-}
-
-vec2 thirdOf(Groups g_3) {
-    uvec2 _e3 = timesW2_(g_3.shift);
-    uvec2 _e5 = pascalW2_((g_3.index ^ _e3));
-    uvec2 _e11 = scramble(_e5, (g_3.seedA ^ (g_3.seedB * 2654435761u)));
-    vec2 _e12 = toUnit(_e11);
-    return _e12;
-}
-
-TwoPoints nextTwo3d(inout Sampler s_8) {
-    Sampler _e1 = s_8;
-    Groups _e2 = nextGroups(_e1);
-    uint _e5 = s_8.key;
-    s_8.key = (_e5 + 2u);
-    vec2 _e8 = firstOf(_e2);
-    vec2 _e9 = secondOf(_e2);
-    vec2 _e10 = thirdOf(_e2);
-    return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
-}
-
-EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
-    bool hasTree = false;
-    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
-    float total_1 = 0.0;
-    uint chosen = 0u;
-    float chosenWeight = 0.0;
-    float rest_1 = 0.0;
-    uint i_22 = 0u;
-    const bool _e6 = hasLightTree;
-    if (_e6) {
-        uint _e9 = frame.lightTreeDepth;
-        hasTree = (_e9 > 0u);
-    }
-    uint _e14 = frame.emitterCount;
-    uint _e17 = frame.farEmitters;
-    bool _e18 = hasTree;
-    uint listed = pick(_e18, _e17, _e14);
-    uint _e23 = frame.emitterCount;
-    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
-    const bool _e33 = hasManyLights;
-    if (_e33) {
-        uint _e36 = frame.emitterCount;
-        if ((_e36 > 1u)) {
-            rest_1 = u_6;
-            while(true) {
-                uint _e48 = i_22;
-                Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_12, normal_12);
-                uint _e51 = i_22;
-                float weight_1 = pick((_e51 < listed), _e50, 0.0);
-                float _e55 = total_1;
-                total_1 = (_e55 + weight_1);
-                float _e57 = total_1;
-                float share_6 = (weight_1 / max(_e57, 1e-37));
-                float _e61 = rest_1;
-                bool take = (_e61 < share_6);
-                uint _e63 = chosen;
-                uint _e64 = i_22;
-                chosen = pick(take, _e64, _e63);
-                float _e66 = chosenWeight;
-                chosenWeight = pick(take, weight_1, _e66);
-                float _e68 = rest_1;
-                float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_6, 1e-37)), ((_e68 - share_6) / max((1.0 - share_6), 1e-7)));
-                uint _e81 = i_22;
-                i_22 = (_e81 + 1u);
-                uint _e83 = i_22;
-                if ((_e83 >= listed)) {
-                    break;
-                }
-            }
-            uint _e85 = chosen;
-            float _e86 = chosenWeight;
-            float _e87 = total_1;
-            float _e91 = total_1;
-            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
-            const bool _e96 = hasLightTree;
-            if (_e96) {
-                bool _e97 = hasTree;
-                if (_e97) {
-                    float _e98 = rest_1;
-                    float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_12, normal_12, _e98, -1, _e100);
-                    choice_1.odds.tree = _e101.share;
-                    uint _e106 = chosen;
-                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
-                    float _e112 = choice_1.probability;
-                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
-                }
-            }
-        }
-    }
-    EmitterChoice _e122 = choice_1;
-    return _e122;
-}
-
-vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_9 = (-1.0 / (s_28 + axis_1.z));
-    float b_12 = ((axis_1.x * axis_1.y) * a_9);
-    vec3 x_23 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_9)), (s_28 * b_12), (-(s_28) * axis_1.x));
-    vec3 y_12 = vec3(b_12, (s_28 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
-    return (((v_6.x * x_23) + (v_6.y * y_12)) + (v_6.z * axis_1));
-}
-
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
-    float oneMinusCosine = (u_7.x * width_1);
-    float cosine_22 = (1.0 - oneMinusCosine);
-    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_2 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_7.y);
-    vec2 turn_1 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_2 / length(turn_1)) * turn_1), cosine_22));
-    return ConeDirection(_e23, cosine_22, sine2_);
-}
-
-LightSample sampleSphere(Emitter e_13, vec3 point_13, vec2 u_8) {
-    SphereView _e3 = viewSphere(e_13, point_13);
-    vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
-    float along_3 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_3) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
-    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
-    float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
-}
-
-vec2 cosineAndSine(float x_16) {
-    float h_6 = (0.5 * x_16);
-    float z_5 = (h_6 * h_6);
-    float sine_3 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_6) + h_6);
-    return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
-}
-
-vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
-    float h_7 = q_4.height;
-    vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_29 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
-    vec2 across_6 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
-    float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_24 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_24 * x_24) + (h_7 * h_7));
-    vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
-    float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
-    return (((x_24 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
-}
-
-LightSample sampleQuad(Emitter e_14, vec3 point_14, vec2 u_10) {
-    QuadView _e3 = viewQuad(e_14, point_14);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_14.u)) + (u_10.y * e_14.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_10);
-    vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_5), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_8);
-    return LightSample((toLight_5 / vec3(distance_8)), distance_8, e_14.radiance, _e23, false);
-}
-
-vec4 pointOnFaces(Emitter e_15, BoxView b_4, vec2 u_11) {
-    float both = (b_4.faces.x + b_4.faces.y);
-    float at_3 = (u_11.x * b_4.area);
-    bool onX_1 = (at_3 < b_4.faces.x);
-    bool onY_1 = pick(!(onX_1), (at_3 < both), false);
-    float face = pick(onX_1, b_4.faces.x, pick(onY_1, b_4.faces.y, b_4.faces.z));
-    float within_1 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_22 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_6 = ((pick(onX_1, p_22.xyz, pick(onY_1, p_22.zxy, p_22.yzx)) * e_15.u) - b_4.point);
-    return vec4(toLight_6, abs(dot(axis_5, toLight_6)));
-}
-
-vec3 rotateBack(vec4 q_5, vec3 v_7) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_7);
-    return _e6;
-}
-
-LightSample sampleBox(Emitter e_16, vec3 point_15, vec2 u_12) {
-    BoxView _e3 = viewBox(e_16, point_15);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_12);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
-    vec3 outwards_1 = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_16.u);
-    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_23 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_9, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
-    float _e33 = conePdf(2.0);
-    float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_23);
-    return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
-}
-
-ChosenTriangle chooseTriangle(Emitter e_17, vec2 u_13) {
-    uint _e4 = frame.lampTables;
-    uint first_2 = (_e4 + uint(e_17.table));
-    uint column_2 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
-    uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
-    uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_17.triangles);
-    float x_25 = clamp((((u_13.x * e_17.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_10 = (x_25 < _e18.own);
-    float rest_2 = pick(own_10, (x_25 / max(_e18.own, 1e-37)), ((x_25 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
-    uint place_8 = pick(own_10, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
-    float density = _e67.density;
-    return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
-}
-
-vec2 weightsOnTriangle(vec2 u_14) {
-    float low_4 = (0.5 * min(u_14.x, u_14.y));
-    float high_2 = (max(u_14.x, u_14.y) - low_4);
-    return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
-}
-
-vec3 outOfMesh(Instance i_23, vec3 p_11) {
-    vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
-    vec3 x_26 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
-    vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
-    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_26) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_26)));
-}
-
-vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
-    vec3 share = vec3(1.0);
-    float opacity_1 = 0.0;
-    uint i_24 = 0u;
-    MaterialTextures _e3 = fetchMaterialTextures(row_9);
-    bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
-    uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
-    opacity_1 = (_e3.opacity * c_2.opacity);
-    if ((wanted > 0u)) {
-        while(true) {
-            uint _e27 = i_24;
-            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
-            vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
-            vec3 _e43 = share;
-            share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
-            float _e52 = opacity_1;
-            uint _e54 = i_24;
-            opacity_1 = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
-            uint _e62 = i_24;
-            i_24 = (_e62 + 1u);
-            uint _e64 = i_24;
-            if ((_e64 >= wanted)) {
-                break;
-            }
-        }
-    }
-    float _e66 = opacity_1;
-    float _e72 = opacity_1;
-    float there = pick((_e3.cutoff < 0.0), _e72, pick((_e66 >= _e3.cutoff), 1.0, 0.0));
-    vec3 _e77 = share;
-    return (_e77 * pick(missing, there, 1.0));
-}
-
-LightSample sampleMesh(Emitter e_18, vec3 point_16, vec2 u_15) {
-    vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_18, u_15);
-    uint _e6 = frame.instances;
-    Instance _e12 = fetchInstance((_e6 + (uint(e_18.instance) * instanceRows)));
-    Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
-    vec2 _e20 = weightsOnTriangle(_e3.u);
-    vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_7 = (_e34 - point_16);
-    vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_7, toLight_7) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
-    float distance_10 = length(toLight_7);
-    float _e60 = areaPdf(e_18.area, abs(height_3), distance_10);
-    float pdf_4 = (_e60 * _e3.density);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_18.oneSided == 0.0), (height_3 > 0.0), false));
-    float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
-    radiance = e_18.radiance;
-    const bool _e82 = hasVariedLamps;
-    if (_e82) {
-        if ((e_18.u.y > 0.0)) {
-            uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
-            Cover _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
-            vec3 _e98 = radiance;
-            Surface _e101 = fetchSurface(uint(e_18.shape));
-            vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
-            radiance = (_e98 * _e109);
-        }
-    }
-    vec3 _e115 = radiance;
-    return LightSample((toLight_7 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_4, 0.0), false);
-}
-
-LightSample samplePoint(Emitter e_19, vec3 point_17) {
-    vec3 toLight_8 = (e_19.position - point_17);
-    float distance_11 = length(toLight_8);
-    float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_8 / vec3(safe)), distance_11, (e_19.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
-}
-
-LightSample sampleSpot(Emitter e_20, vec3 point_18) {
-    LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_20, point_18);
-    s_9 = _e2;
-    vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_20, _e5);
-    vec3 _e8 = s_9.radiance;
-    s_9.radiance = (_e8 * _e6);
-    float _e12 = s_9.pdf;
-    s_9.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_9;
-    return _e17;
-}
-
-LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
-    bool delta = (e_21.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_21.u), (e_21.area / 6.2831855), u_16);
-    return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
-}
-
-vec4 environmentTexel(uint column_1, uint row_10) {
-    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_10)), 0);
-    return _e5;
-}
-
-vec4 fetchEntries(Table t_5, uint pair) {
-    float _e5 = frame.environmentSize.x;
-    uint width_2 = uint(_e5);
-    uint i_27 = (t_5.first + pair);
-    uint row_14 = (i_27 / width_2);
-    vec4 _e12 = environmentTexel((i_27 - (row_14 * width_2)), row_14);
-    return _e12;
-}
-
-vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
-    uvec2 further = (uvec2(pair_1.yw) & uvec2(4095u));
-    return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
-}
-
-Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
-    uint low = 0u;
-    uint high = 0u;
-    vec2 ends = vec2(1.0);
-    uint step_ = 0u;
-    uint pairs = ((t_6.entries + 1u) / 2u);
-    uint part = ((((digits_1 >> 12u) * t_6.entries) + (((digits_1 & 4095u) * t_6.entries) >> 12u)) >> 12u);
-    vec4 _e23 = fetchEntries(t_6, (part / 2u));
-    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
-    high = pairs;
-    while(true) {
-        uint _e41 = low;
-        uint _e42 = step_;
-        uint _e47 = low;
-        uint _e48 = high;
-        uint _e52 = high;
-        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_6, next);
-        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
-        bool found_10 = (_e56.y > 0.0);
-        vec2 _e60 = ends;
-        ends = pick(found_10, _e56, _e60);
-        uint _e62 = high;
-        high = pick(found_10, next, _e62);
-        uint _e66 = low;
-        low = pick(found_10, _e66, (next + 1u));
-        uint _e69 = step_;
-        step_ = ((2u * _e69) + 1u);
-        uint _e73 = low;
-        uint _e74 = high;
-        if ((_e73 >= _e74)) {
-            break;
-        }
-    }
-    uint _e76 = high;
-    uint pair_5 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_6, (max(pair_5, 1u) - 1u));
-    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
-    float before_2 = _e85.y;
-    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
-    float _e94 = ends.x;
-    bool isFirst_1 = (_e94 > 0.0);
-    float _e98 = ends.x;
-    float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e98);
-    float _e104 = ends.y;
-    float _e106 = ends.x;
-    float end = pick(isFirst_1, _e106, _e104);
-    return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
-}
-
-ChosenCell chooseCell(vec2 u_17) {
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size_6 = uvec2(_e3);
-    uvec2 digits_4 = uvec2((u_17 * 16777216.0));
-    uint _e13 = mixBits((digits_4.x ^ (digits_4.y * 2654435761u)));
-    uint columns = ((size_6.x + 1u) / 2u);
-    uint tables = (size_6.x * size_6.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_6.y + 1u)), digits_4.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_6.y + 2u) / 2u)) + (_e29.entry * columns)), size_6.x), digits_4.x, (_e13 >> 20u));
-    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
-}
-
-Corners environmentCorners(uvec2 cell) {
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size_7 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_7.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_7.x), 0u, cell.x);
-    uint upper_1 = (max(cell.y, 1u) - 1u);
-    uint lower_1 = min(cell.y, (size_7.y - 1u));
-    vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
-    vec4 _e49 = environmentTexel(left_1, upper_1);
-    vec4 _e51 = environmentTexel(right, upper_1);
-    vec4 _e53 = environmentTexel(left_1, lower_1);
-    vec4 _e55 = environmentTexel(right, lower_1);
-    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
-}
-
-float linearSample(float u_18, float a_3, float b_5) {
-    vec2 ends_3 = (vec2(a_3, b_5) / vec2(max((a_3 + b_5), 1e-37)));
-    return min((u_18 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_18))), 1e-9)), 1.0);
-}
-
-EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
-    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
-}
-
-EnvironmentSample sampleEnvironment(vec2 u_19) {
-    vec2 size_8 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_19);
-    Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_1 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_8.y));
-    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_17 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_17), mix(_e6.b.w, _e6.d.w, t_17));
-    bool isLower = ((2.0 * cell_1.y) > size_8.y);
-    float fromPole = pick(isLower, ((size_8.y - cell_1.y) + (0.5 - t_17)), (cell_1.y + (t_17 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_8.y)));
-    float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_8.x) - _e85));
-    float nearest_2 = floor((halfTurns + 0.5));
-    bool back = (fract((0.5 * nearest_2)) > 0.0);
-    vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
-    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
-    float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_24 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_4);
-    return EnvironmentSample(direction_24, _e119);
-}
-
-vec3 sky(vec3 direction_15) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_15.y, 0.0));
-}
-
-LightSample sampleSky(vec2 u_20) {
-    EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
-    s_10 = EnvironmentSample(_e6.direction, white);
-    const bool _e12 = hasEnvironment;
-    if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_20);
-        s_10 = _e13;
-    }
-    vec3 _e15 = s_10.direction;
-    vec3 _e18 = s_10.light.radiance;
-    vec3 _e20 = s_10.direction;
-    vec3 _e21 = sky(_e20);
-    float _e25 = s_10.light.pdf;
-    return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
-}
-
-LightSample sampleEmitter(Emitter e_22, vec3 point_19, vec2 u_21) {
-    LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
-    const bool _e15 = hasSphereLights;
-    if (_e15) {
-        if ((e_22.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_22, point_19, u_21);
-            s_11 = _e19;
-        }
-    }
-    const bool _e21 = hasQuadLights;
-    if (_e21) {
-        if ((e_22.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_22, point_19, u_21);
-            s_11 = _e25;
-        }
-    }
-    const bool _e27 = hasBoxLights;
-    if (_e27) {
-        if ((e_22.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_22, point_19, u_21);
-            s_11 = _e31;
-        }
-    }
-    const bool _e33 = hasMeshLamps;
-    if (_e33) {
-        if ((e_22.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_22, point_19, u_21);
-            s_11 = _e37;
-        }
-    }
-    const bool _e39 = hasPointLights;
-    if (_e39) {
-        if ((e_22.kind == 3.0)) {
-            LightSample _e43 = samplePoint(e_22, point_19);
-            s_11 = _e43;
-        }
-    }
-    const bool _e45 = hasPointLights;
-    if (_e45) {
-        if ((e_22.kind == 4.0)) {
-            LightSample _e49 = sampleSpot(e_22, point_19);
-            s_11 = _e49;
-        }
-    }
-    const bool _e51 = hasSuns;
-    if (_e51) {
-        if ((e_22.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_22, u_21);
-            s_11 = _e55;
-        }
-    }
-    const bool _e57 = hasSky;
-    if (_e57) {
-        if ((e_22.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_21);
-            s_11 = _e61;
-        }
-    }
-    float _e64 = s_11.pdf;
-    float _e66 = s_11.distance_;
-    s_11.pdf = pick((_e66 <= (1e-5 * length(point_19))), 0.0, _e64);
-    LightSample _e73 = s_11;
-    return _e73;
-}
-
-vec3 heroColor(vec3 throughput, float u_22) {
-    vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_22 < share_7.x);
-    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
+vec3 heroColor(vec3 throughput, float u_5) {
+    vec3 share_4 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_5 < share_4.x);
+    bool isBlue = pick(pick(!(isRed), (u_5 >= (share_4.x + share_4.y)), false), (share_4.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_4), 1e-6)));
 }
 
-float nextHash(inout Sampler s_12) {
-    uint _e3 = s_12.key;
-    s_12.key = (_e3 + 1u);
-    uint _e7 = s_12.key;
-    uint _e9 = s_12.salt;
+float nextHash(inout Sampler s_6) {
+    uint _e3 = s_6.key;
+    s_6.key = (_e3 + 1u);
+    uint _e7 = s_6.key;
+    uint _e9 = s_6.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_12.sample_;
-    uint _e17 = s_12.place;
+    uint _e13 = s_6.sample_;
+    uint _e17 = s_6.place;
     uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
 }
 
-bool isConductor(uint code_10) {
+bool isConductor(uint code_9) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_10);
+    uint _e3 = kindOf(code_9);
     return pick(_e2, (_e3 == conductor), false);
 }
 
@@ -3129,21 +2258,21 @@ vec2 ellipticAlpha(float alpha, float strength) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_9 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
-float greatest(vec3 v_8) {
-    return max(max(v_8.x, v_8.y), v_8.z);
+float greatest(vec3 v_6) {
+    return max(max(v_6.x, v_6.y), v_6.z);
 }
 
-float sheenAlbedo(float cosine_3, float roughness) {
-    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_13 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_5 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_13 * v_13);
-    float root_1 = dot((low_5 + ((v2_ * v_13) * high_3)), vec3(1.0, v_13, v2_));
+float sheenAlbedo(float cosine_2, float roughness) {
+    float u_29 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_2 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_1 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_12 * v_12);
+    float root_1 = dot((low_2 + ((v2_ * v_12) * high_1)), vec3(1.0, v_12, v2_));
     float albedo = (root_1 * root_1);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -3156,38 +2285,38 @@ vec3 dielectricF0_() {
     return min(((contrast * contrast) * _e14), vec3(1.0));
 }
 
-float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_27 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_27 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_27 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_27 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_27 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+float singleScatteringAlbedo(float cosine_3, float alpha_1) {
+    float x_22 = (cosine_3 / (cosine_3 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_22 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_22 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_22 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_22 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
 
-float cosineInAir(float cosine_5, float ratio) {
-    float sine2_1 = ((1.0 - (cosine_5 * cosine_5)) / (ratio * ratio));
-    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_5);
+float cosineInAir(float cosine_4, float ratio) {
+    float sine2_ = ((1.0 - (cosine_4 * cosine_4)) / (ratio * ratio));
+    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_), 0.0)), cosine_4);
 }
 
-float outerCosine(float cosine_6) {
+float outerCosine(float cosine_5) {
     float outer = 0.0;
-    outer = cosine_6;
+    outer = cosine_5;
     const bool _e3 = hasTransmission;
     if (_e3) {
         float _e6 = stackHere.ratio;
-        float _e7 = cosineInAir(cosine_6, _e6);
+        float _e7 = cosineInAir(cosine_5, _e6);
         outer = _e7;
     }
     float _e8 = outer;
     return _e8;
 }
 
-bool reflectsAll(float cosine_7, float ratio_1) {
-    return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
+bool reflectsAll(float cosine_6, float ratio_1) {
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
 }
 
-Reflectance bareReflectance(Surface s_13, float cosine_8) {
+Reflectance bareReflectance(Surface s_7, float cosine_7) {
     vec3 dielectric = vec3(0.0);
-    float _e2 = outerCosine(cosine_8);
+    float _e2 = outerCosine(cosine_7);
     float _e5 = layersHere.specularWeight;
     vec3 _e6 = dielectricF0_();
     vec3 _e7 = schlick(_e6, _e2);
@@ -3196,42 +2325,42 @@ Reflectance bareReflectance(Surface s_13, float cosine_8) {
     if (_e11) {
         vec3 _e12 = dielectric;
         float _e17 = stackHere.ratio;
-        bool _e18 = reflectsAll(cosine_8, _e17);
+        bool _e18 = reflectsAll(cosine_7, _e17);
         dielectric = pick(_e18, vec3(1.0), _e12);
     }
     vec3 _e20 = dielectric;
-    vec3 _e22 = schlick(s_13.baseColor, _e2);
+    vec3 _e22 = schlick(s_7.baseColor, _e2);
     return Reflectance(_e20, _e22);
 }
 
-float mean3_(vec3 v_9) {
-    return dot(v_9, vec3(0.33333334));
+float mean3_(vec3 v_7) {
+    return dot(v_7, vec3(0.33333334));
 }
 
-void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
-    float side_10 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_10));
-    float metallic_3 = s_14.metallic;
+void meetLayers(Surface s_8, vec3 given, vec3 hero_1) {
+    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
+    float metallic_3 = s_8.metallic;
     stackHere.wo = wo_8;
-    stackHere.side = side_10;
+    stackHere.side = side_8;
     stackHere.hero = hero_1;
     stackHere.inside = false;
     stackHere.ratio = 1.0;
     float _e31 = layersHere.anisotropy;
-    vec2 _e32 = ellipticAlpha(s_14.alpha, _e31);
+    vec2 _e32 = ellipticAlpha(s_8.alpha, _e31);
     stackHere.alpha = _e32;
     const bool _e34 = hasTransmission;
     if (_e34) {
         float _e37 = layersHere.solid;
         bool isSolid = (_e37 > 0.0);
-        bool inside_4 = pick(isSolid, (side_10 < 0.0), false);
+        bool inside_3 = pick(isSolid, (side_8 < 0.0), false);
         float _e45 = layersHere.ior;
         float _e48 = layersHere.dispersion;
         float _e49 = dispersedIndex(_e45, _e48, hero_1);
         float _e52 = layersHere.transmission;
         bool flat_ = pick(pick(isSolid, (_e52 > 0.0), false), ((_e49 - 1.0) < 0.001), false);
-        stackHere.inside = inside_4;
-        stackHere.ratio = pick(isSolid, pick(inside_4, (1.0 / _e49), _e49), 1.0);
+        stackHere.inside = inside_3;
+        stackHere.ratio = pick(isSolid, pick(inside_3, (1.0 / _e49), _e49), 1.0);
         vec2 _e74 = stackHere.alpha;
         stackHere.alpha = pick(flat_, vec2(0.0), _e74);
     }
@@ -3239,7 +2368,7 @@ void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
     const bool _e82 = hasCoats;
     if (_e82) {
         float _e87 = layersHere.coat;
-        float _e88 = coatCosine(side_10, wo_8);
+        float _e88 = coatCosine(side_8, wo_8);
         float _e89 = coatReflectance(_e87, _e88);
         bool _e92 = stackHere.inside;
         stackHere.coat = pick(_e92, 0.0, _e89);
@@ -3272,29 +2401,29 @@ void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
         float _e154 = stackHere.alpha.y;
         float _e157 = singleScatteringAlbedo(wo_8.z, sqrt((_e150 * _e154)));
         float _e166 = layersHere.transmission;
-        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (_e166 <= 0.0), false);
-        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
+        bool asked = pick(((uint(s_8.code) & 8u) != 0u), (_e166 <= 0.0), false);
+        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_8.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
     }
-    Reflectance _e185 = bareReflectance(s_14, wo_8.z);
+    Reflectance _e185 = bareReflectance(s_8, wo_8.z);
     vec3 met_1 = mix(_e185.dielectric, _e185.metal, metallic_3);
     float _e192 = greatest(_e185.dielectric);
     float enters = ((1.0 - metallic_3) * (1.0 - _e192));
-    float _e197 = mean3_(s_14.baseColor);
+    float _e197 = mean3_(s_8.baseColor);
     float coat_1 = stackHere.coat;
     float _e205 = stackHere.sheenColor;
     float _e208 = stackHere.sheen;
-    float below_2 = ((1.0 - coat_1) * (1.0 - (_e205 * min(_e208, 1.0))));
+    float below_1 = ((1.0 - coat_1) * (1.0 - (_e205 * min(_e208, 1.0))));
     float _e215 = mean3_(met_1);
     float _e218 = layersHere.film;
     float _e224 = layersHere.transmission;
-    float facets = (below_2 * ((_e215 + (0.25 * _e218)) + ((enters * _e224) * _e197)));
+    float facets = (below_1 * ((_e215 + (0.25 * _e218)) + ((enters * _e224) * _e197)));
     float _e233 = stackHere.sheen;
     vec3 _e237 = layersHere.sheenColor;
     float _e238 = mean3_(_e237);
     float fibres = (((1.0 - coat_1) * _e233) * _e238);
     float _e243 = greatest(f0_3);
     float _e249 = layersHere.transmission;
-    float body = (((below_2 * (1.0 - metallic_3)) * (1.0 - _e243)) * (1.0 - _e249));
+    float body = (((below_1 * (1.0 - metallic_3)) * (1.0 - _e243)) * (1.0 - _e249));
     float _e255 = layersHere.beyond;
     float diffuse = ((body * (1.0 - _e255)) * _e197);
     float _e262 = layersHere.beyond;
@@ -3313,14 +2442,14 @@ vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
     return mix(vec3(0.04), baseColor, metallic);
 }
 
-vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_9) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_9);
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_8) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_8);
     return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
 }
 
-float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
     vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
-    vec3 _e4 = schlick(_e3, cosine_10);
+    vec3 _e4 = schlick(_e3, cosine_9);
     float specular = dot(_e4, vec3(1.0));
     vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
     float diffuse_1 = dot(_e9, vec3(1.0));
@@ -3332,8 +2461,8 @@ float indexRatio(float eta_2, float z_1, bool thin) {
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
-    float s_30 = (1.0 + length(wo.xy));
-    float s2_ = (s_30 * s_30);
+    float s_27 = (1.0 + length(wo.xy));
+    float s2_ = (s_27 * s_27);
     float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
@@ -3342,9 +2471,9 @@ float stretched(vec3 w_3, float alpha_3) {
     return sqrt(((w_3.z * w_3.z) + ((alpha_3 * alpha_3) * dot(w_3.xy, w_3.xy))));
 }
 
-Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
+Outgoing outgoing(Surface s_9, vec3 wo_1, vec3 hero_2) {
     Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_12 = uint(s_15.code);
+    uint code_12 = uint(s_9.code);
     bool _e5 = isConductor(code_12);
     bool _e6 = isDielectric(code_12);
     o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
@@ -3352,7 +2481,7 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     if (_e17) {
         bool _e18 = isLayered(code_12);
         if (_e18) {
-            meetLayers(s_15, wo_1, hero_2);
+            meetLayers(s_9, wo_1, hero_2);
         }
     }
     const bool _e20 = hasMetallicRoughness;
@@ -3360,7 +2489,7 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
         const bool _e22 = hasLayers;
         if (!(_e22)) {
             float _e26 = o_2.share;
-            float _e30 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
+            float _e30 = specularShare(s_9.baseColor, s_9.metallic, wo_1.z);
             bool _e31 = isMetallicRoughness(code_12);
             o_2.share = pick(_e31, _e30, _e26);
         }
@@ -3368,7 +2497,7 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     const bool _e34 = hasGlass;
     if (_e34) {
         bool _e39 = isThin(code_12);
-        float _e40 = indexRatio(s_15.eta.x, wo_1.z, _e39);
+        float _e40 = indexRatio(s_9.eta.x, wo_1.z, _e39);
         bool _e41 = isDielectric(code_12);
         o_2.ratio = pick(_e41, _e40, 1.0);
     }
@@ -3377,10 +2506,10 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     const bool _e49 = hasLayers;
     const bool _e54 = hasGlass;
     if (pick(pick(_e45, true, pick(_e47, !(_e49), false)), true, _e54)) {
-        float _e58 = reflectionBound(wo_1, s_15.alpha);
+        float _e58 = reflectionBound(wo_1, s_9.alpha);
         bool _e59 = isDielectric(code_12);
         o_2.bound = pick(_e59, 1.0, _e58);
-        float _e64 = stretched(wo_1, s_15.alpha);
+        float _e64 = stretched(wo_1, s_9.alpha);
         o_2.stretched = _e64;
     }
     Outgoing _e65 = o_2;
@@ -3392,82 +2521,82 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_23) {
-    float radius_2 = sqrt(u_23.x);
-    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
+vec3 sampleCosine(vec2 u_6) {
+    float radius_2 = sqrt(u_6.x);
+    float phi = ((6.2831855 * u_6.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi)), (radius_2 * sin(phi)), sqrt((1.0 - u_6.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_7) {
     float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_7 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
-    float drop = (u_24.y * (1.0 + (bound * w_7.z)));
-    float sine_5 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_8 = (w_7 + vec3((sine_5 * cos(phi_3)), (sine_5 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_8.xy), max(h_8.z, 1e-7)));
+    vec3 w_6 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_1 = ((6.2831855 * u_7.x) - 3.1415927);
+    float drop = (u_7.y * (1.0 + (bound * w_6.z)));
+    float sine_1 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_6 = (w_6 + vec3((sine_1 * cos(phi_1)), (sine_1 * sin(phi_1)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_25) {
-    float side_11 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_11), max(alpha_5, 0.001), o_3.bound, u_25);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_8) {
+    float side_9 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_9), max(alpha_5, 0.001), o_3.bound, u_8);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
 }
 
-vec3 conductorFresnel(float cosine_11, vec3 eta_3, vec3 k_1) {
-    float cosine2_ = (cosine_11 * cosine_11);
-    float sine2_2 = (1.0 - cosine2_);
-    vec3 difference_1 = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_2));
-    vec3 a2PlusB2_ = sqrt(((difference_1 * difference_1) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_1))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k_1) / larger_1);
-    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_1, vec3(0.0)));
-    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_1, vec3(0.0)));
-    vec3 b2_ = ((b_13 * b_13) + vec3(1e-20));
-    vec3 acrossFar = (a_10 + vec3(cosine_11));
-    vec3 acrossNear = (a_10 - vec3(cosine_11));
-    vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_2));
-    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_2));
+vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
+    float cosine2_ = (cosine_10 * cosine_10);
+    float sine2_1 = (1.0 - cosine2_);
+    vec3 difference_1 = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference_1 * difference_1) + ((((4.0 * eta_3) * eta_3) * k) * k)));
+    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference_1))) + vec3(1e-20)));
+    vec3 smaller = ((eta_3 * k) / larger);
+    vec3 a_8 = mix(smaller, larger, greaterThan(difference_1, vec3(0.0)));
+    vec3 b_12 = mix(larger, smaller, greaterThan(difference_1, vec3(0.0)));
+    vec3 b2_ = ((b_12 * b_12) + vec3(1e-20));
+    vec3 acrossFar = (a_8 + vec3(cosine_10));
+    vec3 acrossNear = (a_8 - vec3(cosine_10));
+    vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_8 * cosine_10) + vec3(sine2_1));
+    vec3 alongNear = ((a_8 * cosine_10) - vec3(sine2_1));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+    return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_12) {
-    float constants = dot((eta_4 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_12, eta_4, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_1, float cosine_11) {
+    float constants = dot((eta_4 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_11, eta_4, k_1);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_13, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
-    float inside_5 = sqrt(max(inside2_, 0.0));
-    float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
-    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
-    return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
+float dielectricFresnel(float cosine_12, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
+    float inside_4 = sqrt(max(inside2_, 0.0));
+    float across_6 = ((cosine_12 - inside_4) / (cosine_12 + inside_4));
+    float along_2 = ((((ratio_2 * ratio_2) * cosine_12) - inside_4) / (((ratio_2 * ratio_2) * cosine_12) + inside_4));
+    return pick((inside2_ > 0.0), (0.5 * ((across_6 * across_6) + (along_2 * along_2))), 1.0);
 }
 
-float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_14, ratio_3);
+float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_13, ratio_3);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
+vec3 facetReflectance(Surface s_10, float cosine_14, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_13 = uint(s_16.code);
+    uint code_13 = uint(s_10.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         const bool _e11 = hasLayers;
         if (!(_e11)) {
-            vec3 _e15 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
-            vec3 _e16 = schlick(_e15, cosine_15);
+            vec3 _e15 = metallicRoughnessF0_(s_10.baseColor, s_10.metallic);
+            vec3 _e16 = schlick(_e15, cosine_14);
             reflectance = _e16;
         }
     }
     const bool _e18 = hasConductors;
     if (_e18) {
         vec3 _e19 = reflectance;
-        vec3 _e23 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
+        vec3 _e23 = conductorReflectance(s_10.baseColor, s_10.eta, s_10.k, cosine_14);
         bool _e24 = isConductor(code_13);
         reflectance = pick(_e24, _e23, _e19);
     }
@@ -3475,7 +2604,7 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     if (_e27) {
         vec3 _e28 = reflectance;
         bool _e29 = isThin(code_13);
-        float _e30 = glassReflectance(cosine_15, ratio_4, _e29);
+        float _e30 = glassReflectance(cosine_14, ratio_4, _e29);
         bool _e32 = isDielectric(code_13);
         reflectance = pick(_e32, vec3(_e30), _e28);
     }
@@ -3483,10 +2612,10 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     return _e34;
 }
 
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
-    float cosine_23 = dot(wo_3, h_2);
-    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_23 * cosine_23)), 0.0));
-    return ((((cosine_23 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
+vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_5) {
+    float cosine_20 = dot(wo_3, h_1);
+    float inside_5 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_20 * cosine_20)), 0.0));
+    return ((((cosine_20 - inside_5) * h_1) - wo_3) / vec3(ratio_5));
 }
 
 bool isSolidHere() {
@@ -3496,10 +2625,10 @@ bool isSolidHere() {
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_31 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_31 * s_31);
-    float least_2 = min(alpha_6.x, alpha_6.y);
-    float a2_2 = (least_2 * least_2);
+    float s_28 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_28 * s_28);
+    float least_1 = min(alpha_6.x, alpha_6.y);
+    float a2_2 = (least_1 * least_1);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
@@ -3508,50 +2637,50 @@ float ellipticStretched(vec3 w_4, vec2 alpha_7) {
     return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_9) {
     float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_8 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
-    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
-    float sine_6 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_9 = (w_8 + vec3((sine_6 * cos(phi_4)), (sine_6 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_9.xy), max(h_9.z, 1e-7)));
+    vec3 w_7 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_2 = ((6.2831855 * u_9.x) - 3.1415927);
+    float drop_1 = (u_9.y * (1.0 + (bound_1 * w_7.z)));
+    float sine_2 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
+    vec3 h_7 = (w_7 + vec3((sine_2 * cos(phi_2)), (sine_2 * sin(phi_2)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 toWorld(Basis b_6, vec3 v_10) {
-    return (((v_10.x * b_6.tangent) + (v_10.y * b_6.bitangent)) + (v_10.z * b_6.normal));
+vec3 toWorld(Basis b_4, vec3 v_8) {
+    return (((v_8.x * b_4.tangent) + (v_8.y * b_4.bitangent)) + (v_8.z * b_4.normal));
 }
 
-Parting partingOf(Surface s_17, Reflectance r_1) {
+Parting partingOf(Surface s_11, Reflectance r_1) {
     Parting parting = Parting(vec3(0.0), vec3(0.0));
-    vec3 toward = mix(r_1.dielectric, r_1.metal, s_17.metallic);
+    vec3 toward = mix(r_1.dielectric, r_1.metal, s_11.metallic);
     parting = Parting(toward, vec3(0.0));
     const bool _e11 = hasTransmission;
     if (_e11) {
         float _e16 = greatest(r_1.dielectric);
-        float enters_1 = ((1.0 - s_17.metallic) * (1.0 - _e16));
+        float enters_1 = ((1.0 - s_11.metallic) * (1.0 - _e16));
         vec3 _e24 = stackHere.hero;
         bool _e27 = stackHere.inside;
         float _e32 = layersHere.transmission;
         vec3 _e38 = stackHere.hero;
-        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_17.baseColor) * _e38));
+        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_11.baseColor) * _e38));
     }
     Parting _e41 = parting;
     return _e41;
 }
 
-float shareToward(Surface s_18, Reflectance bare) {
-    Parting _e2 = partingOf(s_18, bare);
+float shareToward(Surface s_12, Reflectance bare) {
+    Parting _e2 = partingOf(s_12, bare);
     float _e4 = mean3_(_e2.toward);
     float _e6 = mean3_(_e2.beyond);
     float _e13 = layersHere.film;
     return pick((_e6 > 0.0), mix((_e4 / max((_e4 + _e6), 1e-20)), 0.5, (0.5 * _e13)), 1.0);
 }
 
-LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
-    Basis own_2 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+LayeredSample sampleLayered(Surface s_13, vec3 u_10) {
+    Basis own_1 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec3 ownWo = vec3(0.0);
-    vec3 h_3 = vec3(0.0);
+    vec3 h_2 = vec3(0.0);
     vec3 met = vec3(0.0);
     bool crossing = false;
     bool lost = false;
@@ -3560,10 +2689,10 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
     bool _e5 = isSolidHere();
     const bool _e7 = hasCoats;
     float _e11 = stackHere.ofCoat;
-    bool isCoat_1 = pick(_e7, (u_27.z < _e11), false);
+    bool isCoat_1 = pick(_e7, (u_10.z < _e11), false);
     float _e17 = stackHere.ofCoat;
     float _e20 = stackHere.ofFacets;
-    bool isFacet = (u_27.z < (_e17 + _e20));
+    bool isFacet = (u_10.z < (_e17 + _e20));
     stackHere.drawnByCoat = isCoat_1;
     vec2 _e27 = stackHere.alpha;
     float _e30 = stackHere.coatAlpha;
@@ -3576,13 +2705,13 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
             float _e59 = stackHere.side;
             vec3 _e60 = coatNormal(_e59);
             Basis _e61 = basisAbout(_e60);
-            own_2 = _e61;
+            own_1 = _e61;
         }
     }
     ownWo = wo_9;
     const bool _e64 = hasCoatNormals;
     if (_e64) {
-        Basis _e65 = own_2;
+        Basis _e65 = own_1;
         vec3 _e66 = toLocal(_e65, wo_9);
         ownWo = _e66;
     }
@@ -3590,29 +2719,29 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
     float _e68 = ellipticBound(_e67, wide_1);
     float bound_2 = pick(pick(_e5, !(isCoat_1), false), 1.0, _e68);
     vec3 _e73 = ownWo;
-    vec3 _e75 = sampleEllipticNormal(_e73, wide_1, bound_2, u_27.xy);
-    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
+    vec3 _e75 = sampleEllipticNormal(_e73, wide_1, bound_2, u_10.xy);
+    h_2 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
     const bool _e83 = hasCoatNormals;
     if (_e83) {
-        Basis _e84 = own_2;
-        vec3 _e85 = h_3;
+        Basis _e84 = own_1;
+        vec3 _e85 = h_2;
         vec3 _e86 = toWorld(_e84, _e85);
-        h_3 = _e86;
+        h_2 = _e86;
     }
-    vec3 _e87 = h_3;
+    vec3 _e87 = h_2;
     float oh = max(dot(wo_9, _e87), 0.0);
-    vec3 _e93 = h_3;
+    vec3 _e93 = h_2;
     vec3 reflected_1 = (((2.0 * oh) * _e93) - wo_9);
     met = reflected_1;
     const bool _e100 = hasTransmission;
     if (_e100) {
         float _e104 = stackHere.ofCoat;
         float _e108 = stackHere.ofFacets;
-        float left_2 = ((u_27.z - _e104) / max(_e108, 1e-20));
-        Reflectance _e113 = bareReflectance(s_19, oh);
-        float _e114 = shareToward(s_19, _e113);
-        crossing = pick(!(isCoat_1), (left_2 >= _e114), false);
-        vec3 _e121 = h_3;
+        float left_1 = ((u_10.z - _e104) / max(_e108, 1e-20));
+        Reflectance _e113 = bareReflectance(s_13, oh);
+        float _e114 = shareToward(s_13, _e113);
+        crossing = pick(!(isCoat_1), (left_1 >= _e114), false);
+        vec3 _e121 = h_2;
         float _e124 = stackHere.ratio;
         vec3 _e125 = refracted(wo_9, _e121, _e124);
         vec3 beyond_1 = pick(_e5, _e125, vec3(reflected_1.xy, -(reflected_1.z)));
@@ -3625,10 +2754,10 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
     const bool _e139 = hasCoatNormals;
     if (_e139) {
         if (isCoat_1) {
-            vec3 _e141 = own_2.normal;
+            vec3 _e141 = own_1.normal;
             vec3 _e142 = met;
             float _e147 = met.z;
-            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_19.eta.x < 0.0), false));
+            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_13.eta.x < 0.0), false));
         }
     }
     vec3 _e156 = met;
@@ -3637,18 +2766,18 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
     if (!(isFacet)) {
         float _e167 = stackHere.ofCoat;
         float _e171 = stackHere.ofFacets;
-        float next_1 = ((u_27.z - _e167) - _e171);
-        float sine_7 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
-        vec3 even = vec3((sine_7 * cos(phi_5)), (sine_7 * sin(phi_5)), (1.0 - u_27.x));
-        vec3 _e195 = sampleCosine(u_27.xy);
+        float next = ((u_10.z - _e167) - _e171);
+        float sine_3 = sqrt(max((u_10.x * (2.0 - u_10.x)), 0.0));
+        float phi_3 = ((6.2831855 * u_10.y) - 3.1415927);
+        vec3 even = vec3((sine_3 * cos(phi_3)), (sine_3 * sin(phi_3)), (1.0 - u_10.x));
+        vec3 _e195 = sampleCosine(u_10.xy);
         const bool _e201 = hasTransmission;
         float _e204 = stackHere.ofSheen;
         float _e207 = stackHere.ofDiffuse;
-        vec3 below_3 = vec3(_e195.xy, pick(pick(_e201, (next_1 >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
+        vec3 below_2 = vec3(_e195.xy, pick(pick(_e201, (next >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
         const bool _e214 = hasSheen;
         float _e217 = stackHere.ofSheen;
-        drawn = LayeredSample(pick(pick(_e214, (next_1 < _e217), false), even, below_3), 1.0, false);
+        drawn = LayeredSample(pick(pick(_e214, (next < _e217), false), even, below_2), 1.0, false);
     }
     float _e226 = drawn.direction.z;
     float _e229 = stackHere.side;
@@ -3661,31 +2790,31 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
+BsdfSample sampleLobe(Surface s_14, Outgoing o_4, vec3 u_11) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
-    float probability_3 = 0.0;
+    float probability = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_10 = o_4.wo;
-    float _e5 = mirrorShare(s_20.reflectivity);
-    float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_28.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_28.xy);
+    float _e5 = mirrorShare(s_14.reflectivity);
+    float base_1 = (1.0 - _e5);
+    float choice_2 = ((u_11.z - _e5) / base_1);
+    vec3 _e12 = sampleCosine(u_11.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
     const bool _e24 = hasLayers;
     const bool _e29 = hasGlass;
     if (pick(pick(_e20, true, pick(_e22, !(_e24), false)), true, _e29)) {
-        uint code_14 = uint(s_20.code);
+        uint code_14 = uint(s_14.code);
         bool _e33 = isDielectric(code_14);
         bool _e34 = isSmooth(code_14);
-        vec3 _e37 = sampleFacet(s_20.alpha, _e34, o_4, u_28.xy);
+        vec3 _e37 = sampleFacet(s_14.alpha, _e34, o_4, u_11.xy);
         float oh_1 = max(dot(wo_10, _e37), 0.0);
-        vec3 _e42 = facetReflectance(s_20, oh_1, o_4.ratio);
+        vec3 _e42 = facetReflectance(s_14, oh_1, o_4.ratio);
         bool crossing_2 = pick(_e33, (choice_2 >= _e42.x), false);
         wi = (((2.0 * oh_1) * _e37) - wo_10);
-        probability_3 = (base_2 * o_4.share);
+        probability = (base_1 * o_4.share);
         weight = (_e42 / vec3(o_4.share));
         const bool _e59 = hasGlass;
         if (_e59) {
@@ -3693,8 +2822,8 @@ BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
             vec3 _e61 = wi;
             vec3 _e63 = refracted(wo_10, _e37, o_4.ratio);
             wi = pick(crossing_2, pick(_e60, -(wo_10), _e63), _e61);
-            float _e67 = probability_3;
-            probability_3 = pick(_e33, (base_2 * pick(crossing_2, (1.0 - _e42.x), _e42.x)), _e67);
+            float _e67 = probability;
+            probability = pick(_e33, (base_1 * pick(crossing_2, (1.0 - _e42.x), _e42.x)), _e67);
             vec3 _e75 = weight;
             weight = pick(_e33, vec3(pick(pick(crossing_2, !(_e60), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e75);
         }
@@ -3705,7 +2834,7 @@ BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
         vec3 _e103 = wi;
         drawn_1.direction = pick(specular_1, _e103, _e102);
         float _e107 = drawn_1.pdf;
-        float _e108 = probability_3;
+        float _e108 = probability;
         drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e108), _e107);
         vec3 _e114 = drawn_1.weight;
         vec3 _e115 = weight;
@@ -3714,15 +2843,15 @@ BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
     }
     const bool _e120 = hasLayers;
     if (_e120) {
-        bool _e123 = isLayered(uint(s_20.code));
+        bool _e123 = isLayered(uint(s_14.code));
         if (_e123) {
-            LayeredSample _e126 = sampleLayered(s_20, vec3(u_28.xy, choice_2));
-            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), vec3(0.0), _e126.delta);
+            LayeredSample _e126 = sampleLayered(s_14, vec3(u_11.xy, choice_2));
+            drawn_1 = BsdfSample(_e126.direction, (base_1 * _e126.pdf), vec3(0.0), _e126.delta);
         }
     }
     const bool _e135 = hasMirrorLayers;
     if (_e135) {
-        bool reflected_2 = (u_28.z < _e5);
+        bool reflected_2 = (u_11.z < _e5);
         vec3 _e140 = drawn_1.direction;
         vec3 _e141 = mirrored(wo_10);
         drawn_1.direction = pick(reflected_2, _e141, _e140);
@@ -3737,78 +2866,78 @@ BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
     return _e157;
 }
 
-float facetDensity(vec3 h_4, float alpha_9) {
-    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_9 * alpha_9)) + (h_4.z * h_4.z)), 1.0);
+float facetDensity(vec3 h_3, float alpha_9) {
+    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
-bool hidesApart(uint code_11) {
-    return ((code_11 & 64u) != 0u);
+bool hidesApart(uint code_10) {
+    return ((code_10 & 64u) != 0u);
 }
 
-vec3 compensation(Surface s_21, float cosine_16) {
-    uint code_15 = uint(s_21.code);
+vec3 compensation(Surface s_15, float cosine_15) {
+    uint code_15 = uint(s_15.code);
     bool _e8 = isDielectric(code_15);
     bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_16, s_21.alpha);
-    vec3 _e17 = facetReflectance(s_21, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_15, s_15.alpha);
+    vec3 _e17 = facetReflectance(s_15, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
+FacetLobe evaluateFacets(Surface s_16, Outgoing o_5, vec3 wi_1) {
     vec3 passes = vec3(0.0);
     vec3 wo_11 = o_5.wo;
-    bool _e6 = isDielectric(uint(s_22.code));
+    bool _e6 = isDielectric(uint(s_16.code));
     const bool _e8 = hasGlass;
     bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
-    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
-    float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_10 = (m_1 * inversesqrt(m2_1));
-    float oh_2 = dot(wo_11, h_10);
-    float ih = dot(wi_1, h_10);
+    vec3 m_4 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
+    float m2_1 = max(dot(m_4, m_4), 1e-20);
+    vec3 h_8 = (m_4 * inversesqrt(m2_1));
+    float oh_2 = dot(wo_11, h_8);
+    float ih = dot(wi_1, h_8);
     float zo = abs(wo_11.z);
     float zi = abs(wi_1.z);
-    bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
-    float _e54 = facetDensity(h_10, s_22.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
-    vec3 _e62 = facetReflectance(s_22, abs(oh_2), o_5.ratio);
+    bool faces = pick(!(crossing_3), true, pick((((oh_2 * h_8.z) * wo_11.z) >= 0.0), (((ih * h_8.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_8, s_16.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_16, abs(oh_2), o_5.ratio);
     passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
-    float _e69 = stretched(wi_1, s_22.alpha);
+    float _e69 = stretched(wi_1, s_16.alpha);
     float apart = ((0.5 * (zo + o_5.stretched)) * (zi + _e69));
-    bool _e82 = hidesApart(uint(s_22.code));
+    bool _e82 = hidesApart(uint(s_16.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
     float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
-        vec3 _e100 = compensation(s_22, zo);
+        vec3 _e100 = compensation(s_16, zo);
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
     return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
 }
 
-vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
+vec4 evaluateBsdf(Surface s_17, Outgoing o_6, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_23.baseColor, 1.0) * lambert);
+    value = (vec4(s_17.baseColor, 1.0) * lambert);
     dark = pick((o_6.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e27 = hasLayers;
     const bool _e32 = hasGlass;
     if (pick(pick(_e23, true, pick(_e25, !(_e27), false)), true, _e32)) {
-        uint code_16 = uint(s_23.code);
-        FacetLobe _e36 = evaluateFacets(s_23, o_6, wi_2);
+        uint code_16 = uint(s_17.code);
+        FacetLobe _e36 = evaluateFacets(s_17, o_6, wi_2);
         const bool _e41 = hasMetallicRoughness;
         if (_e41) {
             const bool _e43 = hasLayers;
             if (!(_e43)) {
                 vec3 _e45 = base;
-                vec3 _e49 = metallicRoughnessDiffuse(s_23.baseColor, s_23.metallic, _e36.cosine);
+                vec3 _e49 = metallicRoughnessDiffuse(s_17.baseColor, s_17.metallic, _e36.cosine);
                 bool _e50 = isMetallicRoughness(code_16);
                 base = pick(_e50, _e49, _e45);
             }
@@ -3824,21 +2953,21 @@ vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
         bool _e75 = isDielectric(code_16);
         dark = pick(_e75, _e74, _e73);
     }
-    float _e78 = mirrorShare(s_23.reflectivity);
+    float _e78 = mirrorShare(s_17.reflectivity);
     vec4 _e81 = value;
     bool _e85 = dark;
     return pick(_e85, vec4(0.0), ((1.0 - _e78) * _e81));
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+    float pdf_1 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_1 = pick((pdf_1 > 0.0), (value_1.xyz / vec3(max(pdf_1, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_1), pick(drawn_2.delta, drawn_2.weight, weight_1), drawn_2.delta);
 }
 
-float ellipticDensity(vec3 h_5, vec2 alpha_10) {
-    vec2 scaled_1 = (h_5.xy / alpha_10);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
+float ellipticDensity(vec3 h_4, vec2 alpha_10) {
+    vec2 scaled_1 = (h_4.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
     return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
 }
 
@@ -3853,14 +2982,14 @@ Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
     bool isRough = (max(alpha_15.x, alpha_15.y) >= 0.001);
     vec2 wide_2 = max(alpha_15, vec2(0.001));
     float _e24 = stackHere.ratio;
-    vec3 m_2 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
-    float m2_2 = max(dot(m_2, m_2), 1e-20);
-    vec3 h_11 = (m_2 * inversesqrt(m2_2));
-    float oh_3 = dot(wo_12, h_11);
-    float ih_1 = dot(wi_3, h_11);
+    vec3 m_5 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
+    float m2_2 = max(dot(m_5, m_5), 1e-20);
+    vec3 h_9 = (m_5 * inversesqrt(m2_2));
+    float oh_3 = dot(wo_12, h_9);
+    float ih_1 = dot(wi_3, h_9);
     ownWo_1 = wo_12;
     ownWi = wi_3;
-    ownH = h_11;
+    ownH = h_9;
     const bool _e40 = hasCoatNormals;
     if (_e40) {
         if (isCoat) {
@@ -3871,7 +3000,7 @@ Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
             ownWo_1 = _e46;
             vec3 _e47 = toLocal(_e45, wi_3);
             ownWi = _e47;
-            vec3 _e48 = toLocal(_e45, h_11);
+            vec3 _e48 = toLocal(_e45, h_9);
             ownH = _e48;
         }
     }
@@ -3879,10 +3008,10 @@ Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
     float _e55 = ownH.z;
     float _e58 = ownWi.z;
     float _e64 = ownWi.z;
-    bool faces_2 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
+    bool faces_1 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
     vec3 _e74 = ownH;
     float _e75 = ellipticDensity(_e74, wide_2);
-    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_2, isRough, false), (2.0 * _e75), 0.0));
+    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_1, isRough, false), (2.0 * _e75), 0.0));
     vec3 _e82 = ownWo_1;
     float _e83 = ellipticStretched(_e82, wide_2);
     float _e85 = ownWi.z;
@@ -3908,31 +3037,31 @@ vec3 sensitivity(float difference, vec3 shift) {
     float phase = (6.2831855e-9 * difference);
     vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
     vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 height_1 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_28 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_28) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_28) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_28) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    vec4 lobes = ((height_1 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_23 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_23) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_23) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_23) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
-vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17) {
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_16) {
     vec3 sum = vec3(0.0);
     vec3 amplitude = vec3(0.0);
     float order = 1.0;
-    float sine2_3 = ((1.0 - (cosine_17 * cosine_17)) / (filmIor * filmIor));
-    float within_2 = sqrt(max((1.0 - sine2_3), 0.0));
-    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
-    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_17);
+    float sine2_2 = ((1.0 - (cosine_16 * cosine_16)) / (filmIor * filmIor));
+    float within_1 = sqrt(max((1.0 - sine2_2), 0.0));
+    float first_2 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_2 * first_2)), cosine_16);
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
     vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_2);
+    vec3 _e35 = schlick((second_1 * second_1), within_1);
     vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
     vec3 once = sqrt(r123_);
     vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
     vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_2 = (((2.0 * filmIor) * thickness) * within_2);
+    float difference_2 = (((2.0 * filmIor) * thickness) * within_1);
     sum = (vec3(r12_) + rs);
     amplitude = (rs - vec3(t121_));
     while(true) {
@@ -3955,19 +3084,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17)
     return clamp(_e90, vec3(0.0), vec3(1.0));
 }
 
-Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18) {
+Reflectance filmedReflectance(Surface s_18, Reflectance bare_1, float cosine_17) {
     Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
     bool isMetal = false;
     r_2 = bare_1;
     float _e6 = layersHere.film;
     if ((_e6 > 0.0)) {
-        float _e9 = outerCosine(cosine_18);
-        isMetal = (s_24.metallic >= 1.0);
+        float _e9 = outerCosine(cosine_17);
+        isMetal = (s_18.metallic >= 1.0);
         while(true) {
             float _e16 = layersHere.specularWeight;
             vec3 _e17 = dielectricF0_();
             bool _e20 = isMetal;
-            vec3 f0_4 = pick(_e20, s_24.baseColor, (_e16 * _e17));
+            vec3 f0_4 = pick(_e20, s_18.baseColor, (_e16 * _e17));
             float _e24 = layersHere.filmIor;
             float _e27 = layersHere.filmThickness;
             vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
@@ -3982,7 +3111,7 @@ Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18)
                 r_2.dielectric = mix(_e39, _e28, _e42);
             }
             bool _e44 = isMetal;
-            if (pick(_e44, true, (s_24.metallic <= 0.0))) {
+            if (pick(_e44, true, (s_18.metallic <= 0.0))) {
                 break;
             }
             isMetal = true;
@@ -3991,7 +3120,7 @@ Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18)
         if (_e51) {
             vec3 _e54 = r_2.dielectric;
             float _e59 = stackHere.ratio;
-            bool _e60 = reflectsAll(cosine_18, _e59);
+            bool _e60 = reflectsAll(cosine_17, _e59);
             r_2.dielectric = pick(_e60, vec3(1.0), _e54);
         }
     }
@@ -3999,43 +3128,43 @@ Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18)
     return _e62;
 }
 
-float shadowingExponent(float x_17, float alpha_11) {
-    float m_3 = ((1.0 - alpha_11) * (1.0 - alpha_11));
-    float a_11 = mix(21.5473, 25.3245, m_3);
-    float b_14 = mix(3.82987, 3.32435, m_3);
-    float c_6 = mix(0.19823, 0.16801, m_3);
-    float d_4 = mix(-1.9776, -1.27393, m_3);
-    float e_26 = mix(-4.32054, -4.85967, m_3);
-    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
+float shadowingExponent(float x_13, float alpha_11) {
+    float m_6 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_9 = mix(21.5473, 25.3245, m_6);
+    float b_13 = mix(3.82987, 3.32435, m_6);
+    float c_6 = mix(0.19823, 0.16801, m_6);
+    float d_3 = mix(-1.9776, -1.27393, m_6);
+    float e_28 = mix(-4.32054, -4.85967, m_6);
+    return (((a_9 / (1.0 + (b_13 * pow(x_13, c_6)))) + (d_3 * x_13)) + e_28);
 }
 
-float sheenShadowing(float cosine_19, float alpha_12) {
-    float x_29 = clamp(cosine_19, 1e-6, 1.0);
-    bool isLow = (x_29 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_29, max((1.0 - x_29), 1e-6)), alpha_12);
+float sheenShadowing(float cosine_18, float alpha_12) {
+    float x_24 = clamp(cosine_18, 1e-6, 1.0);
+    bool isLow = (x_24 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_24, max((1.0 - x_24), 1e-6)), alpha_12);
     float _e14 = shadowingExponent(0.5, alpha_12);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
 
 float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
-    vec3 m_4 = (wo_7 + wi_4);
-    float m2_3 = max(dot(m_4, m_4), 1e-20);
-    float sine2_4 = clamp((dot(m_4.xy, m_4.xy) / m2_3), 0.0, 1.0);
-    float power_1 = (0.5 / alpha_13);
-    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    vec3 m_7 = (wo_7 + wi_4);
+    float m2_3 = max(dot(m_7, m_7), 1e-20);
+    float sine2_3 = clamp((dot(m_7.xy, m_7.xy) / m2_3), 0.0, 1.0);
+    float power = (0.5 / alpha_13);
+    float density = (((2.0 + (2.0 * power)) * 0.15915494) * pick((sine2_3 < 1e-20), 0.0, exp((power * log(max(sine2_3, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
     float _e38 = sheenShadowing(wo_7.z, alpha_13);
     float _e42 = sheenShadowing(wi_4.z, alpha_13);
-    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+    return (density / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
 float sheenAlpha(float roughness_1) {
-    float r_6 = max(roughness_1, 0.07);
-    return (r_6 * r_6);
+    float r_4 = max(roughness_1, 0.07);
+    return (r_4 * r_4);
 }
 
-Cover0_ coverTowards(vec3 wi_5, bool crossing_1) {
-    Cover0_ cover_1 = Cover0_(1.0, vec4(0.0));
+Cover coverTowards(vec3 wi_5, bool crossing_1) {
+    Cover cover_1 = Cover(1.0, vec4(0.0));
     const bool _e8 = hasCoats;
     if (_e8) {
         float _e11 = layersHere.coat;
@@ -4062,18 +3191,18 @@ Cover0_ coverTowards(vec3 wi_5, bool crossing_1) {
             float _e66 = layersHere.sheenRoughness;
             float _e67 = sheenAlpha(_e66);
             float _e68 = whiteSheen(_e63, wi_5, _e67);
-            float white_1 = (((1.0 - _e58) * _e68) / max(most_2, 1.0));
+            float white = (((1.0 - _e58) * _e68) / max(most_2, 1.0));
             vec3 _e76 = layersHere.sheenColor;
             float _e80 = stackHere.ofSheen;
             bool _e88 = stackHere.inside;
-            cover_1.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white_1 * _e76), (_e80 * 0.15915494)));
+            cover_1.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white * _e76), (_e80 * 0.15915494)));
             float _e92 = cover_1.left;
             float _e95 = stackHere.sheenColor;
             float _e98 = stackHere.sheen;
             cover_1.left = (_e92 * (1.0 - (_e95 * min(pick(isOutside, most_2, _e98), 1.0))));
         }
     }
-    Cover0_ _e106 = cover_1;
+    Cover _e106 = cover_1;
     return _e106;
 }
 
@@ -4085,19 +3214,19 @@ float ofBeyond() {
     return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
 }
 
-LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byMirror) {
-    LayeredPair pair_2 = LayeredPair(vec4(0.0), vec4(0.0));
+LayeredPair evaluateLayers(Surface s_19, vec3 toLight_1, vec3 toSample, bool byMirror) {
+    LayeredPair pair = LayeredPair(vec4(0.0), vec4(0.0));
     bool isLight = false;
     bool isFirst = true;
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
-    float chosen_1 = 0.0;
+    float chosen = 0.0;
     uint _e12 = frame.emitterCount;
     isLight = (_e12 > 0u);
     while(true) {
         bool _e23 = isLight;
-        vec3 given_2 = pick(_e23, toLight_2, toSample);
+        vec3 given_2 = pick(_e23, toLight_1, toSample);
         float _e29 = stackHere.side;
         vec3 wi_6 = vec3(given_2.xy, (given_2.z * _e29));
         vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
@@ -4107,13 +3236,13 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
         float _e47 = stackHere.coat;
         bool _e50 = isSolidHere();
         bool _e53 = stackHere.inside;
-        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_25.metallic < 1.0), false));
+        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_19.metallic < 1.0), false));
         const bool _e62 = hasCoats;
         const bool _e64 = hasTransmission;
         bool _e66 = isFirst;
         bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
         const bool _e70 = hasCoatNormals;
-        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_25.eta.x >= 0.0), false)), false);
+        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_19.eta.x >= 0.0), false)), false);
         bool _e78 = isSolidHere();
         bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
         Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
@@ -4122,49 +3251,49 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
         bool _e92 = stackHere.drawnByCoat;
         bool isMirror_1 = pick(ofMirror, (isCoat_2 == _e92), false);
         float value_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.value));
-        float density_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
+        float density_1 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
         float _e109 = stackHere.wo.z;
         bool _e112 = stackHere.inside;
-        float cosine_24 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
-        Reflectance _e116 = bareReflectance(s_25, cosine_24);
+        float cosine_21 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
+        Reflectance _e116 = bareReflectance(s_19, cosine_21);
         r_3 = _e116;
         const bool _e119 = hasIridescence;
         if (_e119) {
-            Reflectance _e120 = filmedReflectance(s_25, _e116, cosine_24);
+            Reflectance _e120 = filmedReflectance(s_19, _e116, cosine_21);
             r_3 = _e120;
         }
         float _e121 = intoBody;
         vec3 _e126 = r_3.dielectric;
         float _e127 = greatest(_e126);
-        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_25.metallic) * (1.0 - _e127)), _e121);
+        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_19.metallic) * (1.0 - _e127)), _e121);
         if (isCoat_2) {
             float _e136 = stackHere.coat;
             float _e141 = stackHere.ofCoat;
-            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_2)));
+            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_1)));
             isFirst = false;
         } else {
-            Cover0_ _e148 = coverTowards(wi_6, crossing_4);
+            Cover _e148 = coverTowards(wi_6, crossing_4);
             Reflectance _e149 = r_3;
-            Parting _e150 = partingOf(s_25, _e149);
+            Parting _e150 = partingOf(s_19, _e149);
             vec3 _e155 = stackHere.more;
             vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
             float _e165 = stackHere.ofFacets;
-            chosen_1 = _e165;
+            chosen = _e165;
             const bool _e168 = hasTransmission;
             if (_e168) {
-                float _e169 = shareToward(s_25, _e116);
-                float _e170 = chosen_1;
+                float _e169 = shareToward(s_19, _e116);
+                float _e170 = chosen;
                 float _e176 = stackHere.ratio;
                 float _e179 = stackHere.ratio;
-                chosen_1 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
+                chosen = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
             }
             vec4 _e185 = sum_1;
-            float _e187 = chosen_1;
-            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_2)));
+            float _e187 = chosen;
+            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_1)));
             float _e193 = layersHere.beyond;
             float _e200 = layersHere.beyond;
             vec3 _e203 = layersHere.beyondColor;
-            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_25.baseColor));
+            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_19.baseColor));
             float _e207 = intoBody;
             float _e211 = layersHere.transmission;
             vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
@@ -4175,11 +3304,11 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
             sum_1 = (_e228 + pick(ofMirror, vec4(0.0), even_1));
             vec4 _e233 = sum_1;
             sum_1 = pick(pick(!(crossing_4), (wi_6.z < 0.0), false), vec4(0.0), _e233);
-            vec4 _e243 = pair_2.toLight;
+            vec4 _e243 = pair.toLight;
             vec4 _e244 = sum_1;
             bool _e245 = isLight;
             vec4 _e247 = sum_1;
-            pair_2 = LayeredPair(pick(_e245, _e244, _e243), _e247);
+            pair = LayeredPair(pick(_e245, _e244, _e243), _e247);
             bool _e249 = isLight;
             if (!(_e249)) {
                 break;
@@ -4189,212 +3318,1134 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
             sum_1 = vec4(0.0);
         }
     }
-    LayeredPair _e255 = pair_2;
+    LayeredPair _e255 = pair;
     return _e255;
 }
 
-Pair evaluatePair(Surface s_26, Outgoing o_7, vec3 toLight_3, BsdfSample drawn_3) {
-    Pair pair_3 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
-    vec4 _e4 = evaluateBsdf(s_26, o_7, toLight_3);
-    vec4 _e6 = evaluateBsdf(s_26, o_7, drawn_3.direction);
+Pair evaluatePair(Surface s_20, Outgoing o_7, vec3 toLight_2, BsdfSample drawn_3) {
+    Pair pair_1 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
+    vec4 _e4 = evaluateBsdf(s_20, o_7, toLight_2);
+    vec4 _e6 = evaluateBsdf(s_20, o_7, drawn_3.direction);
     BsdfSample _e7 = completed(drawn_3, _e6);
-    pair_3 = Pair(_e4, _e7);
+    pair_1 = Pair(_e4, _e7);
     const bool _e11 = hasLayers;
     if (_e11) {
-        bool _e14 = isLayered(uint(s_26.code));
+        bool _e14 = isLayered(uint(s_20.code));
         if (_e14) {
             bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
-            float _e24 = mirrorShare(s_26.reflectivity);
-            float base_3 = (1.0 - _e24);
-            LayeredPair _e28 = evaluateLayers(s_26, toLight_3, drawn_3.direction, byMirror_1);
-            pair_3.toLight = (base_3 * _e28.toLight);
-            BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_3 * _e28.toSample));
-            pair_3.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
+            float _e24 = mirrorShare(s_20.reflectivity);
+            float base_2 = (1.0 - _e24);
+            LayeredPair _e28 = evaluateLayers(s_20, toLight_2, drawn_3.direction, byMirror_1);
+            pair_1.toLight = (base_2 * _e28.toLight);
+            BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_2 * _e28.toSample));
+            pair_1.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
         }
     }
-    Pair _e48 = pair_3;
+    Pair _e48 = pair_1;
     return _e48;
 }
 
-bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
-    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
+bool crosses(vec3 geometric_2, vec3 a_3, vec3 b_5) {
+    return ((dot(geometric_2, a_3) > 0.0) != (dot(geometric_2, b_5) > 0.0));
 }
 
-float max3_(vec3 v_11) {
-    return max(max(v_11.x, v_11.y), v_11.z);
+float misWeight(float own_2, float other) {
+    float ratio_7 = (other / own_2);
+    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
-bool isFlat(uint i_25) {
+float max3_(vec3 v_9) {
+    return max(max(v_9.x, v_9.y), v_9.z);
+}
+
+vec3 litSideOf(Meeting m) {
+    return pick(m.isClear, vec3(0.0), m.basis.normal);
+}
+
+bool isFlat(uint i_18) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_25 >= _e4);
+    return (i_18 >= _e4);
 }
 
-void meetSurface(inout Path p_12, PairHit hit_2) {
-    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+void scatter(inout Path p_13, PairHit hit_2, Meeting m_1, Lit lit) {
     vec3 hero_3 = vec3(1.0);
-    RayPair rays_2 = p_12.rays;
-    bool escaped = (hit_2.shape == noShape);
-    uint shape_1 = pick(escaped, 0u, hit_2.shape);
-    SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
-    surface_1 = _e10.surface;
-    float _e14 = surface_1.code;
-    float _e18 = surface_1.eta.x;
-    bool _e19 = letsThrough(uint(_e14), _e18);
-    vec3 point_20 = (rays_2.point + (hit_2.t * rays_2.direction));
-    vec3 outward_1 = _e10.shading;
-    vec3 normal_16 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e34 = basisAbout(normal_16);
-    basis = _e34;
-    const bool _e37 = hasGrain;
-    if (_e37) {
-        vec3 _e39 = grainHere;
-        if (any(notEqual(_e39, vec3(0.0)))) {
-            vec3 _e45 = grainHere;
-            Basis _e46 = basisAlong(normal_16, _e45);
-            basis = _e46;
+    RayPair rays_3 = p_13.rays;
+    bool escaped_1 = (hit_2.shape == noShape);
+    LightSample light_1 = lit.light;
+    const bool _e14 = hasTransmission;
+    if (_e14) {
+        float _e18 = layersHere.dispersion;
+        if (pick(m_1.isClear, (_e18 > 0.0), false)) {
+            vec3 _e23 = p_13.throughput;
+            float _e25 = nextHash(p_13.sampler_);
+            vec3 _e26 = heroColor(_e23, _e25);
+            hero_3 = _e26;
         }
     }
-    Basis _e47 = basis;
-    vec3 _e50 = toLocal(_e47, -(rays_2.direction));
-    const bool _e52 = hasGlass;
-    const bool _e54 = hasTransmission;
-    if (pick(_e52, true, _e54)) {
-        float _e57 = surface_1.code;
-        bool _e59 = isThin(uint(_e57));
-        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped), false);
-        vec3 _e69 = p_12.throughput;
-        vec3 _e71 = surface_1.absorption;
-        p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
-    }
-    const bool _e80 = hasCoatNormals;
-    if (_e80) {
-        vec3 _e82 = coatNormalHere;
-        bool away = pick((dot(_e82, rays_2.direction) > 0.0), !(_e19), false);
-        Basis _e90 = basis;
-        vec3 _e92 = coatNormalHere;
-        vec3 _e94 = coatNormalHere;
-        vec3 _e97 = toLocal(_e90, pick(away, -(_e94), _e92));
-        coatNormalHere = _e97;
-    }
-    const bool _e99 = hasCoats;
-    if (_e99) {
-        vec3 _e101 = surface_1.emission;
-        float _e104 = layersHere.coat;
-        float _e106 = coatCosine(1.0, _e50);
-        float _e107 = coatReflectance(_e104, _e106);
-        surface_1.emission = (_e101 * (1.0 - _e107));
-    }
-    Emitter _e112 = fetchEmitter(0u);
-    p_12.escaped = escaped;
-    const bool _e115 = hasMeshes;
-    if (_e115) {
-        if (escaped) {
-            p_12.alive = false;
-            return;
-        }
-    }
-    Path _e118 = p_12;
-    Surface _e119 = surface_1;
-    vec3 _e121 = metLight(_e118, hit_2, _e119, _e10.geometric, _e112);
-    vec3 _e123 = p_12.radiance;
-    vec3 _e125 = p_12.throughput;
-    p_12.radiance = (_e123 + (_e125 * pick(escaped, vec3(0.0), _e121)));
-    vec3 litSide = pick(_e19, vec3(0.0), normal_16);
-    TwoPoints _e135 = nextTwo3d(p_12.sampler_);
-    EmitterChoice _e138 = chooseEmitter(point_20, litSide, _e135.first.z);
-    Emitter _e140 = emitterAt(_e138.index, _e112);
-    LightSample _e143 = sampleEmitter(_e140, point_20, _e135.first.xy);
-    float lightPdf = (_e143.pdf * _e138.probability);
-    const bool _e151 = hasTransmission;
-    if (_e151) {
-        float _e154 = layersHere.dispersion;
-        if (pick(_e19, (_e154 > 0.0), false)) {
-            vec3 _e159 = p_12.throughput;
-            float _e161 = nextHash(p_12.sampler_);
-            vec3 _e162 = heroColor(_e159, _e161);
-            hero_3 = _e162;
-        }
-    }
-    Surface _e163 = surface_1;
-    vec3 _e164 = hero_3;
-    Outgoing _e165 = outgoing(_e163, _e50, _e164);
-    Surface _e166 = surface_1;
-    BsdfSample _e168 = sampleLobe(_e166, _e165, _e135.second);
-    Surface _e169 = surface_1;
-    Basis _e170 = basis;
-    vec3 _e172 = toLocal(_e170, _e143.direction);
-    Pair _e173 = evaluatePair(_e169, _e165, _e172, _e168);
-    const bool _e175 = hasMeshes;
-    bool opaque = pick(_e175, !(_e19), false);
-    bool _e182 = crosses(_e10.geometric, _e143.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e182, false);
-    vec4 toLight_9 = pick(lightLeaks, vec4(0.0), _e173.toLight);
-    bool alone_1 = pick(_e143.delta, true, pick((_e140.shape < 0.0), (_e143.distance_ < 1e30), false));
-    float _e198 = misWeight(lightPdf, toLight_9.w);
-    float lightWeight = (pick(alone_1, 1.0, _e198) / lightPdf);
-    BsdfSample bsdf = _e173.drawn;
-    Basis _e203 = basis;
-    vec3 _e205 = toWorld(_e203, bsdf.direction);
-    bool _e209 = crosses(_e10.geometric, _e205, -(rays_2.direction));
-    bool leaks = pick(opaque, _e209, false);
-    uint _e213 = p_12.depth;
-    uint _e216 = frame.maxDepth;
-    bool goesOn = pick(!(escaped), (_e213 != _e216), false);
-    vec3 _e220 = p_12.throughput;
-    vec3 contribution = (((_e220 * toLight_9.xyz) * _e143.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_9.xyz * _e143.radiance), vec3(0.0))), false);
-    p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e242 = p_12.throughput;
-    vec3 throughput_1 = (_e242 * bsdf.weight);
-    float _e245 = max3_(throughput_1);
-    uint _e251 = p_12.depth;
-    float survival = pick((_e251 < rouletteDepth), 1.0, min((_e245 / 0.33333334), 0.95));
-    float _e263 = max3_(throughput_1);
-    float _e268 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e263 > 0.0), false), (_e268 < survival), false);
-    uint _e273 = p_12.depth;
-    p_12.depth = (_e273 + 1u);
-    const bool _e276 = hasMeshes;
-    bool stays = pick(!(_e276), escaped, false);
-    vec3 _e283 = p_12.throughput;
-    p_12.throughput = pick(stays, _e283, (throughput_1 / vec3(survival)));
-    float _e291 = p_12.pdf;
-    p_12.pdf = pick(stays, _e291, pick(bsdf.delta, 0.0, bsdf.pdf));
-    vec3 _e295 = p_12.litSide;
-    p_12.litSide = pick(stays, _e295, litSide);
-    float _e303 = p_12.odds.total;
-    p_12.odds.total = pick(stays, _e303, _e138.odds.total);
-    float _e311 = p_12.odds.tree;
-    p_12.odds.tree = pick(stays, _e311, _e138.odds.tree);
-    bool _e313 = isFlat(shape_1);
-    bool solid = !(_e313);
-    uint lightShape = pick((_e140.shape >= 0.0), uint(max(_e140.shape, 0.0)), noShape);
-    bool _e332 = p_12.alive;
-    Sampler _e349 = p_12.sampler_;
-    uint _e350 = numberOfNext(_e349);
-    p_12.rays = RayPair(pick(stays, rays_2.point, point_20), shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e332, pick(stays, rays_2.direction, _e205), pick(solid, (dot(_e205, outward_1) < 0.0), false), _e143.direction, pick(solid, (dot(_e143.direction, outward_1) < 0.0), false), pick(lit_2, _e143.distance_, -1.0), lightShape, _e350);
+    vec3 _e29 = hero_3;
+    Outgoing _e30 = outgoing(m_1.surface, m_1.wo, _e29);
+    BsdfSample _e33 = sampleLobe(m_1.surface, _e30, lit.u);
+    vec3 _e37 = toLocal(m_1.basis, light_1.direction);
+    Pair _e38 = evaluatePair(m_1.surface, _e30, _e37, _e33);
+    const bool _e40 = hasMeshes;
+    bool opaque = pick(_e40, !(m_1.isClear), false);
+    bool _e48 = crosses(m_1.geometric, light_1.direction, -(rays_3.direction));
+    bool lightLeaks = pick(opaque, _e48, false);
+    vec4 toLight_5 = pick(lightLeaks, vec4(0.0), _e38.toLight);
+    bool alone_1 = pick(light_1.delta, true, pick((lit.shape < 0.0), (light_1.distance_ < 1e30), false));
+    float _e65 = misWeight(lit.pdf, toLight_5.w);
+    float lightWeight = (pick(alone_1, 1.0, _e65) / lit.pdf);
+    BsdfSample bsdf = _e38.drawn;
+    vec3 _e73 = toWorld(m_1.basis, bsdf.direction);
+    bool _e77 = crosses(m_1.geometric, _e73, -(rays_3.direction));
+    bool leaks = pick(opaque, _e77, false);
+    uint _e81 = p_13.depth;
+    uint _e84 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e81 != _e84), false);
+    vec3 _e88 = p_13.throughput;
+    vec3 contribution = (((_e88 * toLight_5.xyz) * light_1.radiance) * lightWeight);
+    bool isLit = pick(pick(goesOn, (lit.pdf > 0.0), false), any(greaterThan((toLight_5.xyz * light_1.radiance), vec3(0.0))), false);
+    p_13.light = pick(isLit, contribution, vec3(0.0));
+    vec3 _e111 = p_13.throughput;
+    vec3 throughput_1 = (_e111 * bsdf.weight);
+    float _e114 = max3_(throughput_1);
+    uint _e120 = p_13.depth;
+    float survival = pick((_e120 < rouletteDepth), 1.0, min((_e114 / 0.33333334), 0.95));
+    float _e131 = max3_(throughput_1);
+    float _e136 = nextHash(p_13.sampler_);
+    bool alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e131 > 0.0), false), (_e136 < survival), false);
+    uint _e141 = p_13.depth;
+    p_13.depth = (_e141 + 1u);
+    const bool _e144 = hasMeshes;
+    bool stays = pick(!(_e144), escaped_1, false);
+    vec3 _e151 = p_13.throughput;
+    p_13.throughput = pick(stays, _e151, (throughput_1 / vec3(survival)));
+    float _e159 = p_13.pdf;
+    p_13.pdf = pick(stays, _e159, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e162 = litSideOf(m_1);
+    vec3 _e164 = p_13.litSide;
+    p_13.litSide = pick(stays, _e164, _e162);
+    float _e172 = p_13.odds.total;
+    p_13.odds.total = pick(stays, _e172, lit.odds.total);
+    float _e180 = p_13.odds.tree;
+    p_13.odds.tree = pick(stays, _e180, lit.odds.tree);
+    bool _e183 = isFlat(m_1.shape);
+    bool solid = !(_e183);
+    uint lightShape = pick((lit.shape >= 0.0), uint(max(lit.shape, 0.0)), noShape);
+    Sampler _e222 = p_13.sampler_;
+    uint _e223 = numberOfNext(_e222);
+    p_13.rays = RayPair(pick(stays, rays_3.point, m_1.point), m_1.shape, hit_2.triangle, (1e-5 * length(m_1.point)), alive, pick(stays, rays_3.direction, _e73), pick(solid, (dot(_e73, m_1.outward) < 0.0), false), light_1.direction, pick(solid, (dot(light_1.direction, m_1.outward) < 0.0), false), pick(isLit, light_1.distance_, -1.0), lightShape, _e223);
     return;
 }
 
-void extendPath(inout Path p_13) {
-    RayPair _e2 = p_13.rays;
+Emitter fetchEmitter(uint i_19) {
+    vec4 _e2 = tableTexel(14u, i_19);
+    vec4 _e4 = tableTexel(15u, i_19);
+    vec4 _e6 = tableTexel(16u, i_19);
+    vec4 _e8 = tableTexel(17u, i_19);
+    vec4 _e10 = tableTexel(18u, i_19);
+    vec4 _e12 = tableTexel(19u, i_19);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
+}
+
+int emitterOf(float code_11) {
+    return ((int(code_11) >> 7u) - 1);
+}
+
+uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
+    return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
+}
+
+Emitter emitterAt(uint i_20, Emitter only) {
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    emitter = only;
+    const bool _e4 = hasManyLights;
+    if (_e4) {
+        Emitter _e5 = fetchEmitter(i_20);
+        emitter = _e5;
+    }
+    Emitter _e6 = emitter;
+    return _e6;
+}
+
+SphereView viewSphere(Emitter e_1, vec3 point) {
+    vec3 toCenter_2 = (e_1.position - point);
+    float d_4 = length(toCenter_2);
+    float power_1 = abs(((d_4 - e_1.radius) * (d_4 + e_1.radius)));
+    bool inside_6 = (d_4 <= e_1.radius);
+    float sine_4 = min((e_1.radius / max(d_4, 1e-30)), 1.0);
+    float cosine_22 = (sqrt(power_1) / max(d_4, 1e-30));
+    return SphereView(toCenter_2, d_4, power_1, inside_6, pick(inside_6, 2.0, ((sine_4 * sine_4) / (1.0 + cosine_22))));
+}
+
+float conePdf(float width) {
+    return (1.0 / (6.2831855 * max(width, 1e-31)));
+}
+
+float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_10) {
+    SphereView _e3 = viewSphere(e_2, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_10, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return pick(reached, _e11, 0.0);
+}
+
+float areaPdf(float area, float height, float distance_) {
+    float pdf_2 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf_2, 1e30);
+}
+
+float pdfOfView(QuadView q_3, float area_1, float distance_1) {
+    float _e4 = areaPdf(area_1, q_3.height, distance_1);
+    float pdf_3 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
+    return pick(q_3.lit, pdf_3, 0.0);
+}
+
+float arctangent(float x_14) {
+    float a_10 = abs(x_14);
+    bool steep = (a_10 > 2.4142137);
+    bool middle_1 = pick((a_10 > 0.41421357), !(steep), false);
+    float r_5 = pick(steep, (-1.0 / max(a_10, 1.0)), pick(middle_1, ((a_10 - 1.0) / (a_10 + 1.0)), a_10));
+    float base_3 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
+    float z_3 = (r_5 * r_5);
+    float series = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
+    return (sign(x_14) * (base_3 + (((series * z_3) * r_5) + r_5)));
+}
+
+float stretch(float x_15, vec2 y_5, float h_5) {
+    vec2 r_6 = sqrt(((vec2((x_15 * x_15)) + (y_5 * y_5)) + vec2((h_5 * h_5))));
+    float _e16 = arctangent(((x_15 * y_5.y) / (h_5 * r_6.y)));
+    float _e22 = arctangent(((x_15 * y_5.x) / (h_5 * r_6.x)));
+    return (_e16 - _e22);
+}
+
+QuadView viewQuad(Emitter e_3, vec3 point_2) {
+    vec3 corner = (e_3.position - point_2);
+    vec2 lengths = vec2(length(e_3.u), length(e_3.v));
+    vec3 axisX = (e_3.u / vec3(lengths.x));
+    vec3 axisY = (e_3.v / vec3(lengths.y));
+    vec3 normal_18 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_18);
+    float least_2 = (1e-7 * (lengths.x + lengths.y));
+    float height_2 = max(abs(signedHeight), least_2);
+    bool lit_1 = pick((abs(signedHeight) > least_2), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec2 low_3 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_2 = (low_3 + lengths);
+    vec2 y_10 = vec2(low_3.y, high_2.y);
+    float _e44 = stretch(low_3.x, y_10, height_2);
+    float _e46 = stretch(high_2.x, y_10, height_2);
+    float solidAngle = (_e46 - _e44);
+    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
+    vec3 axisZ = (normal_18 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_3, high_2, height_2, _e44, solidAngle, lit_1, pick(rectangle, (solidAngle > 0.01), false));
+}
+
+float quadPdf(Emitter e_4, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_4, point_3);
+    float _e5 = pdfOfView(_e3, e_4.area, distance_2);
+    return _e5;
+}
+
+BoxView viewBox(Emitter e_5, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_5.shape));
+    vec4 rotation = _e4.a;
+    vec3 _e8 = rotate(rotation, (point_4 - e_5.position));
+    bvec3 seen = greaterThan(abs(_e8), e_5.u);
+    vec3 faces_2 = mix(vec3(0.0), ((4.0 * e_5.u.yzx) * e_5.u.zxy), seen);
+    return BoxView(rotation, _e8, faces_2, ((faces_2.x + faces_2.y) + faces_2.z), !(any(seen)));
+}
+
+float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_11, float distance_3, vec3 normal_4) {
+    BoxView _e5 = viewBox(e_6, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_11, normal_4))), distance_3);
+    float _e12 = conePdf(2.0);
+    return pick(_e5.inside, _e12, _e10);
+}
+
+LampTriangle fetchLampTriangle(uint row_8) {
+    uvec4 _e3 = geometryRow((row_8 + 0u));
+    return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
+}
+
+float meshPdf(Emitter e_7, vec3 direction_12, float distance_4, vec3 normal_5, uint place_3) {
+    uint _e7 = frame.lampTables;
+    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
+    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_12, normal_5))), distance_4);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
+    return (_e23 * _e24.density);
+}
+
+float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_13, float distance_5, vec3 normal_6, uint place_4) {
+    float pdf = 0.0;
+    const bool _e9 = hasSphereLights;
+    if (_e9) {
+        if ((e_8.kind == 0.0)) {
+            float _e13 = spherePdf(e_8, point_6, direction_13);
+            pdf = _e13;
+        }
+    }
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
+        if ((e_8.kind == 1.0)) {
+            float _e19 = quadPdf(e_8, point_6, distance_5);
+            pdf = _e19;
+        }
+    }
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
+        if ((e_8.kind == 2.0)) {
+            float _e25 = boxPdf(e_8, point_6, direction_13, distance_5, normal_6);
+            pdf = _e25;
+        }
+    }
+    const bool _e27 = hasMeshLamps;
+    if (_e27) {
+        if ((e_8.kind == 7.0)) {
+            float _e31 = meshPdf(e_8, direction_13, distance_5, normal_6, place_4);
+            pdf = _e31;
+        }
+    }
+    float _e32 = pdf;
+    return _e32;
+}
+
+float cosineTowards(Emitter e_9, vec3 toLight_3, float grown, vec3 normal_7) {
+    float above_1 = clamp(((dot(normal_7, toLight_3) + e_9.reach) / grown), 0.0, 1.0);
+    return pick((dot(normal_7, normal_7) == 0.0), 1.0, above_1);
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight_4) {
+    float share_5 = clamp(((-(dot(toLight_4, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+    return (share_5 * share_5);
+}
+
+float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_8) {
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
+    vec3 middle_2 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
+    vec3 toLight_6 = pick(isFar, -(e_11.u), (middle_2 - point_7));
+    float distance2_ = dot(toLight_6, toLight_6);
+    float distance_6 = sqrt(distance2_);
+    float grown_1 = max((distance_6 + e_11.reach), 1e-15);
+    float _e35 = cosineTowards(e_11, toLight_6, grown_1, normal_8);
+    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
+    estimate = ((e_11.power * _e35) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e54 = hasQuadLights;
+    if (_e54) {
+        float height_3 = (-(dot(cross(e_11.u, e_11.v), toLight_6)) / max(e_11.area, 1e-30));
+        float side_10 = pick((e_11.oneSided == 1.0), max(height_3, 0.0), abs(height_3));
+        float lampCosine = pick((side_10 > 0.0), ((side_10 + e_11.reach) / grown_1), 0.0);
+        float _e78 = estimate;
+        estimate = (_e78 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e83 = hasMeshLamps;
+    if (_e83) {
+        float alike = length(e_11.v);
+        float across_7 = -(dot(e_11.v, toLight_6));
+        float side_11 = pick((e_11.oneSided == 1.0), max(across_7, 0.0), abs(across_7));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_11 + (alike * e_11.reach)) / grown_1));
+        float sizeOfMesh = (distance2_ + ((e_11.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e114 = estimate;
+        estimate = pick((e_11.kind == 7.0), (((e_11.power * _e35) * shown) / max(sizeOfMesh, 1e-15)), _e114);
+    }
+    const bool _e126 = hasPointLights;
+    if (_e126) {
+        float _e127 = estimate;
+        float _e132 = spotFalloff(e_11, (toLight_6 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e127 * pick((e_11.kind == 4.0), _e132, 1.0));
+    }
+    const bool _e140 = hasSky;
+    if (_e140) {
+        float _e141 = estimate;
+        estimate = pick((e_11.kind == 6.0), e_11.power, _e141);
+    }
+    float _e147 = estimate;
+    return _e147;
+}
+
+float listedProbability(Emitter e_12, vec3 point_8, vec3 normal_9, Odds odds) {
+    float probability_1 = 0.0;
+    uint _e6 = frame.emitterCount;
+    probability_1 = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_12, point_8, normal_9);
+            probability_1 = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                float _e25 = probability_1;
+                probability_1 = (_e25 * (1.0 - odds.tree));
+            }
+        }
+    }
+    float _e30 = probability_1;
+    return _e30;
+}
+
+LightNode fetchLightNode(uint i_21) {
+    vec4 _e2 = tableTexel(0u, i_21);
+    vec4 _e4 = tableTexel(1u, i_21);
+    vec4 _e6 = tableTexel(2u, i_21);
+    vec4 _e8 = tableTexel(3u, i_21);
+    vec4 _e10 = tableTexel(4u, i_21);
+    vec4 _e12 = tableTexel(5u, i_21);
+    vec4 _e14 = tableTexel(6u, i_21);
+    vec4 _e16 = tableTexel(7u, i_21);
+    vec4 _e18 = tableTexel(8u, i_21);
+    vec4 _e20 = tableTexel(9u, i_21);
+    vec4 _e22 = tableTexel(10u, i_21);
+    vec4 _e24 = tableTexel(11u, i_21);
+    return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
+}
+
+vec4 sineOf(vec4 cosine_19) {
+    return sqrt(max((vec4(1.0) - (cosine_19 * cosine_19)), vec4(0.0)));
+}
+
+vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
+    return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
+}
+
+vec4 estimatesOfChildren(LightNode n_3, vec3 point_9, vec3 normal_10) {
+    vec4 x_25 = (n_3.x - vec4(point_9.x));
+    vec4 y_11 = (n_3.y - vec4(point_9.y));
+    vec4 z_4 = (n_3.z - vec4(point_9.z));
+    vec4 distance2_1 = (((x_25 * x_25) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
+    bvec4 inside_7 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
+    vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
+    vec4 _e33 = sineOf(sinB_1);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_7);
+    vec4 along_3 = (-((((n_3.axisX * x_25) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 cosW = clamp(mix(along_3, abs(along_3), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 _e58 = sineOf(cosW);
+    vec4 _e60 = sineOf(n_3.cosWidth);
+    vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
+    vec4 _e63 = sineOf(_e62);
+    vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside_7);
+    vec4 cosN = clamp(((((normal_10.x * x_25) + (normal_10.y * y_11)) + (normal_10.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 _e82 = sineOf(cosN);
+    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_7);
+    vec4 cosIn = pick((dot(normal_10, normal_10) == 0.0), vec4(1.0), above_2);
+    vec4 estimate_2 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_2, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
+}
+
+float shareOfTree(float total, float far) {
+    float share_6 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_6));
+}
+
+TreeChoice descend(vec3 point_10, vec3 normal_11, float u_12, int leaf, float far_1) {
+    uint level = 0u;
+    uint node_1 = 0u;
+    float rest = 0.0;
+    TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
+    uint _e7 = frame.lightTreeDepth;
+    level = _e7;
+    rest = u_12;
+    while(true) {
+        uint _e19 = level;
+        level = (_e19 - 1u);
+        uint _e23 = frame.lightTree;
+        uint _e24 = node_1;
+        LightNode _e26 = fetchLightNode((_e23 + _e24));
+        vec4 _e27 = estimatesOfChildren(_e26, point_10, normal_11);
+        float two = (_e27.x + _e27.y);
+        float three = (two + _e27.z);
+        float total_2 = (three + _e27.w);
+        uint _e35 = node_1;
+        if ((_e35 == 0u)) {
+            float _e39 = shareOfTree(total_2, far_1);
+            choice.share = _e39;
+            float _e41 = rest;
+            float _e43 = choice.share;
+            choice.taken = (_e41 < _e43);
+            float _e45 = rest;
+            float _e47 = choice.share;
+            rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
+        }
+        float _e53 = rest;
+        float at_2 = (_e53 * total_2);
+        uint byChance = ((uint((at_2 >= _e27.x)) + uint((at_2 >= two))) + uint((at_2 >= three)));
+        uint _e68 = level;
+        uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
+        bool low_4 = (child < 2u);
+        bool odd = ((child & 1u) == 1u);
+        float own_9 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before_1 = pick(low_4, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float _e95 = choice.probability;
+        choice.probability = (_e95 * (own_9 / max(total_2, 1e-37)));
+        choice.emitter = uint(pick(low_4, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        rest = clamp(((at_2 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
+        uint _e121 = node_1;
+        node_1 = (((4u * _e121) + 1u) + child);
+        uint _e126 = level;
+        if ((_e126 == 0u)) {
+            break;
+        }
+    }
+    TreeChoice _e129 = choice;
+    return _e129;
+}
+
+float treeProbability(Emitter e_13, vec3 point_11, vec3 normal_12, Odds odds_1) {
+    float probability_2 = 0.0;
+    uint _e8 = frame.lightTreeDepth;
+    if ((_e8 > 0u)) {
+        TreeChoice _e17 = descend(point_11, normal_12, 0.0, int(max(e_13.leaf, 0.0)), odds_1.total);
+        probability_2 = (_e17.probability * _e17.share);
+    }
+    float _e21 = probability_2;
+    return _e21;
+}
+
+vec3 metLight(Path p_14, PairHit hit_3, Surface s_21, vec3 outward, Emitter only_1) {
+    vec3 found_8 = vec3(0.0);
+    uint i_22 = 0u;
+    float probability_3 = 0.0;
+    vec3 direction_21 = p_14.rays.direction;
+    bool hidden = pick(((uint(s_21.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
+    int _e18 = emitterOf(s_21.code);
+    found_8 = pick(hidden, vec3(0.0), s_21.emission);
+    uint _e28 = frame.emitterCount;
+    if (pick((_e18 >= 0), (_e28 > 0u), false)) {
+        i_22 = uint(max(_e18, 0));
+        const bool _e37 = hasMeshLamps;
+        if (_e37) {
+            if ((hit_3.triangle.instance != noInstance)) {
+                uint _e42 = i_22;
+                uint _e43 = i_22;
+                Emitter _e44 = emitterAt(_e43, only_1);
+                uint _e46 = emitterOfTriangle(_e44, hit_3.triangle);
+                i_22 = (_e42 + _e46);
+            }
+        }
+        uint _e48 = i_22;
+        Emitter _e49 = emitterAt(_e48, only_1);
+        float _e55 = shapePdf(_e49, p_14.rays.point, direction_21, hit_3.t, outward, hit_3.triangle.triangle);
+        float _e60 = listedProbability(_e49, p_14.rays.point, p_14.litSide, p_14.odds);
+        probability_3 = _e60;
+        const bool _e63 = hasLightTree;
+        if (_e63) {
+            if ((_e49.leaf >= 0.0)) {
+                float _e71 = treeProbability(_e49, p_14.rays.point, p_14.litSide, p_14.odds);
+                probability_3 = _e71;
+            }
+        }
+        vec3 _e72 = found_8;
+        float _e74 = probability_3;
+        float _e76 = misWeight(p_14.pdf, (_e55 * _e74));
+        found_8 = (_e72 * pick((p_14.pdf <= 0.0), 1.0, _e76));
+    }
+    vec3 _e83 = found_8;
+    return _e83;
+}
+
+uvec2 pascalW2_(uvec2 x_16) {
+    uvec2 y_6 = uvec2(0u);
+    uvec2 _e7 = timesW2_(((x_16 >> uvec2(2u)) & uvec2(13107u)));
+    y_6 = (x_16 ^ _e7);
+    uvec2 _e10 = y_6;
+    uvec2 _e11 = y_6;
+    uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
+    y_6 = (_e10 ^ _e18);
+    uvec2 _e20 = y_6;
+    uvec2 _e21 = y_6;
+    uvec2 _e28 = timesW2_(((_e21 >> uvec2(8u)) & uvec2(255u)));
+    return (_e20 ^ _e28);
+}
+
+vec2 thirdOf(Groups g_3) {
+    uvec2 _e3 = timesW2_(g_3.shift);
+    uvec2 _e5 = pascalW2_((g_3.index ^ _e3));
+    uvec2 _e11 = scramble(_e5, (g_3.seedA ^ (g_3.seedB * 2654435761u)));
+    vec2 _e12 = toUnit(_e11);
+    return _e12;
+}
+
+TwoPoints nextTwo3d(inout Sampler s_22) {
+    Sampler _e1 = s_22;
+    Groups _e2 = nextGroups(_e1);
+    uint _e5 = s_22.key;
+    s_22.key = (_e5 + 2u);
+    vec2 _e8 = firstOf(_e2);
+    vec2 _e9 = secondOf(_e2);
+    vec2 _e10 = thirdOf(_e2);
+    return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
+}
+
+EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_13, float u_13) {
+    bool hasTree = false;
+    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
+    float total_1 = 0.0;
+    uint chosen_1 = 0u;
+    float chosenWeight = 0.0;
+    float rest_1 = 0.0;
+    uint i_23 = 0u;
+    const bool _e6 = hasLightTree;
+    if (_e6) {
+        uint _e9 = frame.lightTreeDepth;
+        hasTree = (_e9 > 0u);
+    }
+    uint _e14 = frame.emitterCount;
+    uint _e17 = frame.farEmitters;
+    bool _e18 = hasTree;
+    uint listed = pick(_e18, _e17, _e14);
+    uint _e23 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
+    const bool _e33 = hasManyLights;
+    if (_e33) {
+        uint _e36 = frame.emitterCount;
+        if ((_e36 > 1u)) {
+            rest_1 = u_13;
+            while(true) {
+                uint _e48 = i_23;
+                Emitter _e49 = fetchEmitter(_e48);
+                float _e50 = estimatedIrradiance(_e49, point_12, normal_13);
+                uint _e51 = i_23;
+                float weight_2 = pick((_e51 < listed), _e50, 0.0);
+                float _e55 = total_1;
+                total_1 = (_e55 + weight_2);
+                float _e57 = total_1;
+                float share_7 = (weight_2 / max(_e57, 1e-37));
+                float _e61 = rest_1;
+                bool take = (_e61 < share_7);
+                uint _e63 = chosen_1;
+                uint _e64 = i_23;
+                chosen_1 = pick(take, _e64, _e63);
+                float _e66 = chosenWeight;
+                chosenWeight = pick(take, weight_2, _e66);
+                float _e68 = rest_1;
+                float _e75 = rest_1;
+                rest_1 = pick(take, (_e75 / max(share_7, 1e-37)), ((_e68 - share_7) / max((1.0 - share_7), 1e-7)));
+                uint _e81 = i_23;
+                i_23 = (_e81 + 1u);
+                uint _e83 = i_23;
+                if ((_e83 >= listed)) {
+                    break;
+                }
+            }
+            uint _e85 = chosen_1;
+            float _e86 = chosenWeight;
+            float _e87 = total_1;
+            float _e91 = total_1;
+            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
+            const bool _e96 = hasLightTree;
+            if (_e96) {
+                bool _e97 = hasTree;
+                if (_e97) {
+                    float _e98 = rest_1;
+                    float _e100 = total_1;
+                    TreeChoice _e101 = descend(point_12, normal_13, _e98, -1, _e100);
+                    choice_1.odds.tree = _e101.share;
+                    uint _e106 = chosen_1;
+                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
+                    float _e112 = choice_1.probability;
+                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
+                }
+            }
+        }
+    }
+    EmitterChoice _e122 = choice_1;
+    return _e122;
+}
+
+vec3 turnTo(vec3 axis_1, vec3 v_10) {
+    float s_29 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_11 = (-1.0 / (s_29 + axis_1.z));
+    float b_14 = ((axis_1.x * axis_1.y) * a_11);
+    vec3 x_26 = vec3((1.0 + (((s_29 * axis_1.x) * axis_1.x) * a_11)), (s_29 * b_14), (-(s_29) * axis_1.x));
+    vec3 y_12 = vec3(b_14, (s_29 + ((axis_1.y * axis_1.y) * a_11)), -(axis_1.y));
+    return (((v_10.x * x_26) + (v_10.y * y_12)) + (v_10.z * axis_1));
+}
+
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_14) {
+    float oneMinusCosine = (u_14.x * width_1);
+    float cosine_23 = (1.0 - oneMinusCosine);
+    float sine2_4 = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_5 = sqrt(max(sine2_4, 0.0));
+    float phi_4 = (6.2831855 * u_14.y);
+    vec2 turn_1 = vec2(cos(phi_4), sin(phi_4));
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_5 / length(turn_1)) * turn_1), cosine_23));
+    return ConeDirection(_e23, cosine_23, sine2_4);
+}
+
+LightSample sampleSphere(Emitter e_14, vec3 point_13, vec2 u_15) {
+    SphereView _e3 = viewSphere(e_14, point_13);
+    vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_15);
+    float along_4 = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_14.radius * e_14.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger_1 = (abs(along_4) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_4 > 0.0), false);
+    float distance_7 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
+    float _e49 = conePdf(_e3.width);
+    return LightSample(_e19.direction, distance_7, e_14.radiance, _e49, false);
+}
+
+vec2 cosineAndSine(float x_17) {
+    float h_10 = (0.5 * x_17);
+    float z_5 = (h_10 * h_10);
+    float sine_6 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_10) + h_10);
+    return vec2((1.0 - ((2.0 * sine_6) * sine_6)), ((2.0 * sine_6) * sqrt((1.0 - (sine_6 * sine_6)))));
+}
+
+vec3 sphericalRectangle(QuadView q_4, vec2 u_16) {
+    float h_11 = q_4.height;
+    vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
+    vec2 s_30 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_11 * h_11)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_16.x * q_4.solidAngle))));
+    vec2 across_8 = (vec2((s_30.y - s_30.x), (s_30.y + s_30.x)) * _e21);
+    float w_8 = (((2.0 * _e21.x) * _e21.y) / max(length(across_8), 1e-15));
+    float x_27 = clamp(((h_11 * w_8) * inversesqrt(max((1.0 - (w_8 * w_8)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_27 * x_27) + (h_11 * h_11));
+    vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
+    float v_13 = mix(ends_2.x, ends_2.y, u_16.y);
+    float atY = clamp(((v_13 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_13 * v_13)), 1e-12))), y_13.x, y_13.y);
+    return (((x_27 * q_4.axisX) + (atY * q_4.axisY)) + (h_11 * q_4.axisZ));
+}
+
+LightSample sampleQuad(Emitter e_15, vec3 point_14, vec2 u_17) {
+    QuadView _e3 = viewQuad(e_15, point_14);
+    vec3 onArea = ((_e3.corner + (u_17.x * e_15.u)) + (u_17.y * e_15.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_17);
+    vec3 toLight_7 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_7), _e3.height);
+    float _e23 = pdfOfView(_e3, e_15.area, distance_8);
+    return LightSample((toLight_7 / vec3(distance_8)), distance_8, e_15.radiance, _e23, false);
+}
+
+vec4 pointOnFaces(Emitter e_16, BoxView b_6, vec2 u_18) {
+    float both = (b_6.faces.x + b_6.faces.y);
+    float at_3 = (u_18.x * b_6.area);
+    bool onX_1 = (at_3 < b_6.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_3 < both), false);
+    float face = pick(onX_1, b_6.faces.x, pick(onY_1, b_6.faces.y, b_6.faces.z));
+    float within_2 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_6.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
+    vec3 p_27 = vec3(pick((dot(axis_5, b_6.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_18.y) - 1.0));
+    vec3 toLight_8 = ((pick(onX_1, p_27.xyz, pick(onY_1, p_27.zxy, p_27.yzx)) * e_16.u) - b_6.point);
+    return vec4(toLight_8, abs(dot(axis_5, toLight_8)));
+}
+
+vec3 rotateBack(vec4 q_5, vec3 v_11) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_11);
+    return _e6;
+}
+
+LightSample sampleBox(Emitter e_17, vec3 point_15, vec2 u_19) {
+    BoxView _e3 = viewBox(e_17, point_15);
+    vec4 _e4 = pointOnFaces(e_17, _e3, u_19);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
+    vec3 outwards_1 = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_17.u);
+    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_22 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
+    float _e33 = conePdf(2.0);
+    float pdf_4 = pick(_e3.inside, _e33, _e31);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
+    return LightSample(_e37, distance_9, e_17.radiance, pdf_4, false);
+}
+
+ChosenTriangle chooseTriangle(Emitter e_18, vec2 u_20) {
+    uint _e4 = frame.lampTables;
+    uint first_3 = (_e4 + uint(e_18.table));
+    uint column_2 = min(uint((u_20.x * e_18.triangles)), (uint(e_18.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_3 + column_2));
+    uint _e26 = mixBits((floatBitsToUint(u_20.x) ^ (floatBitsToUint(u_20.y) * 2654435761u)));
+    uint hash = (_e26 >> 8u);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_18.triangles);
+    float x_28 = clamp((((u_20.x * e_18.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_10 = (x_28 < _e18.own);
+    float rest_2 = pick(own_10, (x_28 / max(_e18.own, 1e-37)), ((x_28 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_8 = pick(own_10, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first_3 + column_2) + place_8) - _e18.place));
+    float density_2 = _e67.density;
+    return ChosenTriangle(place_8, density_2, vec2(min(rest_2, 1.0), u_20.y));
+}
+
+vec2 weightsOnTriangle(vec2 u_21) {
+    float low_5 = (0.5 * min(u_21.x, u_21.y));
+    float high_3 = (max(u_21.x, u_21.y) - low_5);
+    return pick((u_21.x < u_21.y), vec2(low_5, high_3), vec2(high_3, low_5));
+}
+
+vec3 outOfMesh(Instance i_24, vec3 p_15) {
+    vec3 q_7 = (p_15 - vec3(i_24.toMeshX.w, i_24.toMeshY.w, i_24.toMeshZ.w));
+    vec3 x_29 = cross(i_24.toMeshY.xyz, i_24.toMeshZ.xyz);
+    vec3 y_14 = cross(i_24.toMeshZ.xyz, i_24.toMeshX.xyz);
+    vec3 z_6 = cross(i_24.toMeshX.xyz, i_24.toMeshY.xyz);
+    return ((((q_7.x * x_29) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_24.toMeshX.xyz, x_29)));
+}
+
+vec3 radianceShare(uint row_9, Cover0_ c_2, bool missing) {
+    vec3 share = vec3(1.0);
+    float opacity_1 = 0.0;
+    uint i_25 = 0u;
+    MaterialTextures _e3 = fetchMaterialTextures(row_9);
+    bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
+    uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
+    opacity_1 = (_e3.opacity * c_2.opacity);
+    if ((wanted > 0u)) {
+        while(true) {
+            uint _e27 = i_25;
+            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
+            vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
+            vec3 _e43 = share;
+            share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
+            float _e52 = opacity_1;
+            uint _e54 = i_25;
+            opacity_1 = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
+            uint _e62 = i_25;
+            i_25 = (_e62 + 1u);
+            uint _e64 = i_25;
+            if ((_e64 >= wanted)) {
+                break;
+            }
+        }
+    }
+    float _e66 = opacity_1;
+    float _e72 = opacity_1;
+    float there = pick((_e3.cutoff < 0.0), _e72, pick((_e66 >= _e3.cutoff), 1.0, 0.0));
+    vec3 _e77 = share;
+    return (_e77 * pick(missing, there, 1.0));
+}
+
+LightSample sampleMesh(Emitter e_19, vec3 point_16, vec2 u_22) {
+    vec3 radiance = vec3(0.0);
+    ChosenTriangle _e3 = chooseTriangle(e_19, u_22);
+    uint _e6 = frame.instances;
+    Instance _e12 = fetchInstance((_e6 + (uint(e_19.instance) * instanceRows)));
+    Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
+    vec2 _e20 = weightsOnTriangle(_e3.u);
+    vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
+    vec3 toLight_9 = (_e34 - point_16);
+    vec3 across_9 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_4 = (dot(across_9, toLight_9) * inversesqrt(max(dot(across_9, across_9), 1e-37)));
+    float distance_10 = length(toLight_9);
+    float _e60 = areaPdf(e_19.area, abs(height_4), distance_10);
+    float pdf_5 = (_e60 * _e3.density);
+    bool lit_2 = pick((height_4 < 0.0), true, pick((e_19.oneSided == 0.0), (height_4 > 0.0), false));
+    float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
+    radiance = e_19.radiance;
+    const bool _e82 = hasVariedLamps;
+    if (_e82) {
+        if ((e_19.u.y > 0.0)) {
+            uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
+            Cover0_ _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
+            vec3 _e98 = radiance;
+            Surface _e101 = fetchSurface(uint(e_19.shape));
+            vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
+            radiance = (_e98 * _e109);
+        }
+    }
+    vec3 _e115 = radiance;
+    return LightSample((toLight_9 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_2, pdf_5, 0.0), false);
+}
+
+LightSample samplePoint(Emitter e_20, vec3 point_17) {
+    vec3 toLight_10 = (e_20.position - point_17);
+    float distance_11 = length(toLight_10);
+    float safe = max(distance_11, 1e-15);
+    return LightSample((toLight_10 / vec3(safe)), distance_11, (e_20.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_21, vec3 point_18) {
+    LightSample s_23 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_21, point_18);
+    s_23 = _e2;
+    vec3 _e5 = s_23.direction;
+    float _e6 = spotFalloff(e_21, _e5);
+    vec3 _e8 = s_23.radiance;
+    s_23.radiance = (_e8 * _e6);
+    float _e12 = s_23.pdf;
+    s_23.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_23;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_22, vec2 u_23) {
+    bool delta = (e_22.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_22.u), (e_22.area / 6.2831855), u_23);
+    return LightSample(_e10.direction, 1e30, e_22.radiance, pick(delta, 1.0, (1.0 / max(e_22.area, 1e-31))), delta);
+}
+
+vec4 environmentTexel(uint column_1, uint row_10) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_10)), 0);
+    return _e5;
+}
+
+vec4 fetchEntries(Table t_5, uint pair_2) {
+    float _e5 = frame.environmentSize.x;
+    uint width_2 = uint(_e5);
+    uint i_27 = (t_5.first + pair_2);
+    uint row_14 = (i_27 / width_2);
+    vec4 _e12 = environmentTexel((i_27 - (row_14 * width_2)), row_14);
+    return _e12;
+}
+
+vec2 sharesBeyond(vec4 pair_3, uint digits, uint fine) {
+    uvec2 further = (uvec2(pair_3.yw) & uvec2(4095u));
+    return ((pair_3.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
+}
+
+Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
+    uint low = 0u;
+    uint high = 0u;
+    vec2 ends = vec2(1.0);
+    uint step_ = 0u;
+    uint pairs = ((t_6.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_6.entries) + (((digits_1 & 4095u) * t_6.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_6, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
+    while(true) {
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next_1 = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_6, next_1);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_10 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_10, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_10, next_1, _e62);
+        uint _e66 = low;
+        low = pick(found_10, _e66, (next_1 + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
+        }
+    }
+    uint _e76 = high;
+    uint pair_5 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_6, (max(pair_5, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before_2 = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst_1 = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst_1, _e106, _e104);
+    return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_24) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_6 = uvec2(_e3);
+    uvec2 digits_4 = uvec2((u_24 * 16777216.0));
+    uint _e13 = mixBits((digits_4.x ^ (digits_4.y * 2654435761u)));
+    uint columns = ((size_6.x + 1u) / 2u);
+    uint tables = (size_6.x * size_6.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_6.y + 1u)), digits_4.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_6.y + 2u) / 2u)) + (_e29.entry * columns)), size_6.x), digits_4.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
+}
+
+Corners environmentCorners(uvec2 cell) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_7 = uvec2(_e3);
+    uint left_2 = (pick((cell.x == 0u), size_7.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_7.x), 0u, cell.x);
+    uint upper_1 = (max(cell.y, 1u) - 1u);
+    uint lower_1 = min(cell.y, (size_7.y - 1u));
+    vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
+    vec4 _e49 = environmentTexel(left_2, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_2, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_3 * _e53), (below_3 * _e55));
+}
+
+float linearSample(float u_25, float a_4, float b_7) {
+    vec2 ends_3 = (vec2(a_4, b_7) / vec2(max((a_4 + b_7), 1e-37)));
+    return min((u_25 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_25))), 1e-9)), 1.0);
+}
+
+EnvironmentLight lightWithin(Corners k_2, vec2 at, float sine) {
+    vec4 light_2 = mix(mix(k_2.a, k_2.b, at.x), mix(k_2.c, k_2.d, at.x), at.y);
+    return EnvironmentLight(light_2.xyz, (max(light_2.w, 0.0) / sine));
+}
+
+EnvironmentSample sampleEnvironment(vec2 u_26) {
+    vec2 size_8 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_26);
+    Corners _e6 = environmentCorners(_e4.cell);
+    vec2 cell_1 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_8.y));
+    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
+    float t_17 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_17), mix(_e6.b.w, _e6.d.w, t_17));
+    bool isLower = ((2.0 * cell_1.y) > size_8.y);
+    float fromPole = pick(isLower, ((size_8.y - cell_1.y) + (0.5 - t_17)), (cell_1.y + (t_17 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_8.y)));
+    float _e85 = frame.environmentTurn;
+    float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_8.x) - _e85));
+    float nearest_2 = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest_2)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
+    vec2 phi_5 = (_e100 * pick(back, -1.0, 1.0));
+    float sine_7 = max(_e76.y, 1e-9);
+    vec3 direction_23 = vec3((sine_7 * phi_5.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_7) * phi_5.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_7);
+    return EnvironmentSample(direction_23, _e119);
+}
+
+vec3 sky(vec3 direction_14) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_14.y, 0.0));
+}
+
+LightSample sampleSky(vec2 u_27) {
+    EnvironmentSample s_24 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_27);
+    s_24 = EnvironmentSample(_e6.direction, white0_);
+    const bool _e12 = hasEnvironment;
+    if (_e12) {
+        EnvironmentSample _e13 = sampleEnvironment(u_27);
+        s_24 = _e13;
+    }
+    vec3 _e15 = s_24.direction;
+    vec3 _e18 = s_24.light.radiance;
+    vec3 _e20 = s_24.direction;
+    vec3 _e21 = sky(_e20);
+    float _e25 = s_24.light.pdf;
+    return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
+}
+
+LightSample sampleEmitter(Emitter e_23, vec3 point_19, vec2 u_28) {
+    LightSample s_25 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+    const bool _e15 = hasSphereLights;
+    if (_e15) {
+        if ((e_23.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_23, point_19, u_28);
+            s_25 = _e19;
+        }
+    }
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_23.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_23, point_19, u_28);
+            s_25 = _e25;
+        }
+    }
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_23.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_23, point_19, u_28);
+            s_25 = _e31;
+        }
+    }
+    const bool _e33 = hasMeshLamps;
+    if (_e33) {
+        if ((e_23.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_23, point_19, u_28);
+            s_25 = _e37;
+        }
+    }
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_23.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_23, point_19);
+            s_25 = _e43;
+        }
+    }
+    const bool _e45 = hasPointLights;
+    if (_e45) {
+        if ((e_23.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_23, point_19);
+            s_25 = _e49;
+        }
+    }
+    const bool _e51 = hasSuns;
+    if (_e51) {
+        if ((e_23.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_23, u_28);
+            s_25 = _e55;
+        }
+    }
+    const bool _e57 = hasSky;
+    if (_e57) {
+        if ((e_23.kind == 6.0)) {
+            LightSample _e61 = sampleSky(u_28);
+            s_25 = _e61;
+        }
+    }
+    float _e64 = s_25.pdf;
+    float _e66 = s_25.distance_;
+    s_25.pdf = pick((_e66 <= (1e-5 * length(point_19))), 0.0, _e64);
+    LightSample _e73 = s_25;
+    return _e73;
+}
+
+Lit lightAt(inout Path p_16, PairHit hit_4, Meeting m_2) {
+    Emitter _e4 = fetchEmitter(0u);
+    Path _e5 = p_16;
+    vec3 _e8 = metLight(_e5, hit_4, m_2.surface, m_2.geometric, _e4);
+    vec3 _e10 = p_16.radiance;
+    vec3 _e12 = p_16.throughput;
+    p_16.radiance = (_e10 + (_e12 * pick((hit_4.shape == noShape), vec3(0.0), _e8)));
+    TwoPoints _e22 = nextTwo3d(p_16.sampler_);
+    vec3 _e24 = litSideOf(m_2);
+    EmitterChoice _e27 = chooseEmitter(m_2.point, _e24, _e22.first.z);
+    Emitter _e29 = emitterAt(_e27.index, _e4);
+    LightSample _e33 = sampleEmitter(_e29, m_2.point, _e22.first.xy);
+    return Lit(_e33, (_e33.pdf * _e27.probability), _e29.shape, _e27.odds, _e22.second);
+}
+
+void meetSurface(inout Path p_17, PairHit hit_5) {
+    Meeting _e2 = meetingAt(p_17, hit_5);
+    p_17.escaped = (hit_5.shape == noShape);
+    const bool _e8 = hasMeshes;
+    if (_e8) {
+        bool _e10 = p_17.escaped;
+        if (_e10) {
+            p_17.rays.goesOn = false;
+            return;
+        }
+    }
+    Lit _e14 = lightAt(p_17, hit_5, _e2);
+    scatter(p_17, hit_5, _e2, _e14);
+    return;
+}
+
+void extendPath(inout Path p_18) {
+    RayPair _e2 = p_18.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_13.radiance;
-    vec3 _e7 = p_13.light;
-    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_13.rays.lightDistance = -1.0;
-    bool _e17 = p_13.alive;
-    if (_e17) {
-        meetSurface(p_13, _e3);
+    vec3 _e5 = p_18.radiance;
+    vec3 _e7 = p_18.light;
+    p_18.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_18.rays.lightDistance = -1.0;
+    bool _e18 = p_18.rays.goesOn;
+    if (_e18) {
+        meetSurface(p_18, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_14) {
-    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
+bool isOver(Path p_19) {
+    return pick(!(p_19.rays.goesOn), (p_19.rays.lightDistance < 0.0), false);
 }
 
 vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
@@ -4408,16 +4459,16 @@ vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_18));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_16) {
+EnvironmentLight lookUpEnvironment(vec3 direction_15) {
     vec2 size_9 = frame.environmentSize;
-    float sine_8 = max(length(direction_16.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_16.z, direction_16.y)), vec2(abs(direction_16.x), sine_8));
-    float turn_2 = (pick((direction_16.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_16.x < 0.0), -1.0, 1.0));
+    float sine_8 = max(length(direction_15.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_15.z, direction_15.y)), vec2(abs(direction_15.x), sine_8));
+    float turn_2 = (pick((direction_15.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_15.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_9.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_9.y / 3.1415927)) + 0.5);
     float row_15 = floor(fromPole_1);
-    bool isLower_1 = (direction_16.y < 0.0);
+    bool isLower_1 = (direction_15.y < 0.0);
     vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_9.y - row_15), row_15));
     float within_3 = (fromPole_1 - row_15);
     vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
@@ -4426,52 +4477,52 @@ EnvironmentLight lookUpEnvironment(vec3 direction_16) {
     return _e67;
 }
 
-EnvironmentLight skyLight(vec3 direction_17) {
-    EnvironmentLight light = white;
+EnvironmentLight skyLight(vec3 direction_16) {
+    EnvironmentLight light = white0_;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_17);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_16);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_17);
+    vec3 _e8 = sky(direction_16);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight skySeen(vec3 direction_18) {
+FarLight skySeen(vec3 direction_17) {
     FarLight far_2 = FarLight(vec3(0.0), 0.0);
     const bool _e7 = hasSky;
     if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_18);
+        EnvironmentLight _e8 = skyLight(direction_17);
         far_2 = FarLight(_e8.radiance, _e8.pdf);
     }
     FarLight _e12 = far_2;
     return _e12;
 }
 
-bool isOnDisc(Emitter e_23, vec3 direction_19) {
-    vec3 chord = (direction_19 + e_23.u);
-    return ((3.1415927 * dot(chord, chord)) < e_23.area);
+bool isOnDisc(Emitter e_24, vec3 direction_18) {
+    vec3 chord = (direction_18 + e_24.u);
+    return ((3.1415927 * dot(chord, chord)) < e_24.area);
 }
 
-float directionalPdf(Emitter e_24, vec3 direction_20) {
-    bool _e7 = isOnDisc(e_24, direction_20);
-    return pick(_e7, (1.0 / max(e_24.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_25, vec3 direction_19) {
+    bool _e7 = isOnDisc(e_25, direction_19);
+    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
 }
 
-FarLight farLight(Emitter e_25, vec3 direction_21, FarLight sky_1) {
+FarLight farLight(Emitter e_26, vec3 direction_20, FarLight sky_1) {
     FarLight far_3 = FarLight(vec3(0.0), 0.0);
     const bool _e9 = hasSuns;
     if (_e9) {
-        bool _e13 = isOnDisc(e_25, direction_21);
-        bool seen_1 = pick((e_25.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_25, direction_21);
-        far_3 = FarLight(pick(seen_1, e_25.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+        bool _e13 = isOnDisc(e_26, direction_20);
+        bool seen_1 = pick((e_26.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_26, direction_20);
+        far_3 = FarLight(pick(seen_1, e_26.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
     }
     const bool _e24 = hasSky;
     if (_e24) {
-        if ((e_25.kind == 6.0)) {
+        if ((e_26.kind == 6.0)) {
             far_3 = sky_1;
         }
     }
@@ -4479,52 +4530,82 @@ FarLight farLight(Emitter e_25, vec3 direction_21, FarLight sky_1) {
     return _e28;
 }
 
-void addSkyAndSuns(inout Path p_15) {
+float farProbability(Emitter e_27, vec3 normal_14, Odds odds_2) {
+    float probability_4 = 0.0;
+    float estimate_1 = 0.0;
+    uint _e5 = frame.emitterCount;
+    probability_4 = float(min(_e5, 1u));
+    const bool _e11 = hasManyLights;
+    if (_e11) {
+        uint _e14 = frame.emitterCount;
+        if ((_e14 > 1u)) {
+            estimate_1 = e_27.power;
+            const bool _e20 = hasSuns;
+            if (_e20) {
+                float grown_2 = max((sqrt(dot(e_27.u, e_27.u)) + e_27.reach), 1e-15);
+                float _e29 = estimate_1;
+                float _e32 = cosineTowards(e_27, -(e_27.u), grown_2, normal_14);
+                estimate_1 = (_e29 * pick((e_27.kind == 5.0), _e32, 1.0));
+            }
+            float _e39 = estimate_1;
+            probability_4 = (_e39 / max(odds_2.total, 1e-37));
+            const bool _e45 = hasLightTree;
+            if (_e45) {
+                float _e46 = probability_4;
+                probability_4 = (_e46 * (1.0 - odds_2.tree));
+            }
+        }
+    }
+    float _e51 = probability_4;
+    return _e51;
+}
+
+void addSkyAndSuns(inout Path p_20) {
     vec3 found_9 = vec3(0.0);
     uint i_26 = 0u;
-    vec3 direction_25 = p_15.rays.direction;
-    FarLight _e4 = skySeen(direction_25);
+    vec3 direction_24 = p_20.rays.direction;
+    FarLight _e4 = skySeen(direction_24);
     while(true) {
         uint _e10 = i_26;
         Emitter _e11 = fetchEmitter(_e10);
-        FarLight _e12 = farLight(_e11, direction_25, _e4);
-        vec3 _e16 = p_15.rays.point;
-        vec3 _e18 = p_15.litSide;
-        Odds _e20 = p_15.odds;
-        float _e21 = listedProbability(_e11, _e16, _e18, _e20);
-        float pdf_6 = (_e12.pdf * _e21);
-        vec3 _e23 = found_9;
-        float _e26 = p_15.pdf;
-        float _e27 = misWeight(_e26, pdf_6);
-        float _e29 = p_15.pdf;
-        found_9 = (_e23 + (_e12.radiance * pick((_e29 <= 0.0), 1.0, _e27)));
-        uint _e37 = i_26;
-        i_26 = (_e37 + 1u);
+        FarLight _e12 = farLight(_e11, direction_24, _e4);
+        vec3 _e15 = p_20.litSide;
+        Odds _e17 = p_20.odds;
+        float _e18 = farProbability(_e11, _e15, _e17);
+        float pdf_6 = (_e12.pdf * _e18);
+        vec3 _e20 = found_9;
+        float _e23 = p_20.pdf;
+        float _e24 = misWeight(_e23, pdf_6);
+        float _e26 = p_20.pdf;
+        found_9 = (_e20 + (_e12.radiance * pick((_e26 <= 0.0), 1.0, _e24)));
+        uint _e34 = i_26;
+        i_26 = (_e34 + 1u);
+        const bool _e37 = hasSuns;
         const bool _e40 = hasManyLights;
-        if (!(_e40)) {
+        if (pick(!(_e37), true, !(_e40))) {
             break;
         }
-        uint _e42 = i_26;
-        uint _e45 = frame.farEmitters;
-        if ((_e42 >= _e45)) {
+        uint _e43 = i_26;
+        uint _e46 = frame.farEmitters;
+        if ((_e43 >= _e46)) {
             break;
         }
     }
-    vec3 _e48 = p_15.radiance;
-    vec3 _e50 = p_15.throughput;
-    vec3 _e51 = found_9;
-    p_15.radiance = (_e48 + (_e50 * _e51));
+    vec3 _e49 = p_20.radiance;
+    vec3 _e51 = p_20.throughput;
+    vec3 _e52 = found_9;
+    p_20.radiance = (_e49 + (_e51 * _e52));
     return;
 }
 
-void addFarLight(inout Path p_16) {
+void addFarLight(inout Path p_21) {
     const bool _e2 = hasSky;
     const bool _e4 = hasSuns;
     if (pick(_e2, true, _e4)) {
-        bool _e7 = p_16.escaped;
+        bool _e7 = p_21.escaped;
         uint _e10 = frame.emitterCount;
         if (pick(_e7, (_e10 > 0u), false)) {
-            addSkyAndSuns(p_16);
+            addSkyAndSuns(p_21);
             return;
         } else {
             return;
@@ -4536,13 +4617,14 @@ void addFarLight(inout Path p_16) {
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 texel_2 = uvec2(fragment.xy);
-    uvec2 _e5 = frame.origin;
-    uint _e9 = frame.sampleIndex;
-    Path _e10 = startPath((_e5 + texel_2), _e9);
-    p = _e10;
+    Path _e3 = noPath();
+    p = _e3;
+    uvec2 _e7 = frame.origin;
+    uint _e11 = frame.sampleIndex;
+    startPath(p, (_e7 + texel_2), _e11);
     while(true) {
         extendPath(p);
         Path _e12 = p;

@@ -8,7 +8,8 @@ struct Film {
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let texel = vec2u(fragment.xy);
-  var p = startPath(frame.origin + texel, frame.sampleIndex);
+  var p = noPath();
+  startPath(&p, frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -23,12 +24,32 @@ struct Film {
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
 
-fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
-  var s = startSampler(pixel, sampleIndex, frame.seed);
-  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+// Over before it has begun.
+fn noPath() -> Path {
+  var p: Path;
+  p.rays.lightDirection = vec3f(0.0, 1.0, 0.0);
+  p.rays.lightDistance = -1.0;
+  return p;
+}
+
+// In place of a path that is over. What its first step does not ask for stays as it was: Windows' shader compiler takes the longer for a
+// loop the more values there are that one branch in it sets.
+fn startPath(p: ptr<function, Path>, pixel: vec2u, sampleIndex: u32) {
+  (*p).sampler = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&(*p).sampler));
+  let camera = cameraRay(filmPosition, lensPoint(&(*p).sampler));
+  (*p).rays.point = camera.origin;
+  (*p).rays.shape = noShape;
+  (*p).rays.left = noTriangle;
+  (*p).rays.tMin = 0.0;
+  (*p).rays.goesOn = true;
+  (*p).rays.direction = camera.direction;
+  (*p).rays.number = numberOfNext((*p).sampler);
+  (*p).light = vec3f(0.0);
+  (*p).throughput = vec3f(1.0);
+  (*p).depth = 1u;
+  (*p).radiance = vec3f(0.0);
+  (*p).pdf = 0.0;
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -48,14 +69,14 @@ fn extendPath(p: ptr<function, Path>) {
   let hit = tracePair((*p).rays);
   (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
   (*p).rays.lightDistance = -1.0;
-  if ((*p).alive) {
+  if ((*p).rays.goesOn) {
     meetSurface(p, hit);
   }
 }
 
 // Whether there is a ray left to trace.
 fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
+  return !p.rays.goesOn & (p.rays.lightDistance < 0.0);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
@@ -117,8 +138,6 @@ struct Path {
   rays: RayPair,
   // What the light ray brings to the pixel if nothing is in its way.
   light: vec3f,
-  // Whether the path's own ray goes on.
-  alive: bool,
   throughput: vec3f,
   // Whether its ray has met nothing: addFarLight.
   escaped: bool,
@@ -158,7 +177,7 @@ struct RayPair {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -186,15 +205,27 @@ struct LeftTriangle {
 
 
 fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
+  let m = meetingAt(p, hit);
+  (*p).escaped = hit.shape == noShape;
+  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
+  if (hasMeshes) {
+    if ((*p).escaped) {
+      (*p).rays.goesOn = false;
+      return;
+    }
+  }
+  scatter(p, hit, m, lightAt(p, hit, m));
+}
+
+// What lay on the way there takes its share of the light.
+fn meetingAt(p: ptr<function, Path>, hit: PairHit) -> Meeting {
   let rays = (*p).rays;
   let escaped = hit.shape == noShape;
   let shape = select(hit.shape, 0u, escaped);
   let met = surfaceAt(rays, hit, shape);
   var surface = met.surface;
   let isClear = letsThrough(u32(surface.code), surface.eta.x);
-  let point = rays.point + hit.t * rays.direction;
   let outward = met.shading;
-  // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
   let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
   var basis = basisAbout(normal);
   if (hasGrain) {
@@ -214,67 +245,82 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   if (hasCoats) {
     surface.emission *= 1.0 - coatReflectance(layersHere.coat, coatCosine(1.0, wo));
   }
-  let only = fetchEmitter(0u);
-  (*p).escaped = escaped;
-  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
-  if (hasMeshes) {
-    if (escaped) {
-      (*p).alive = false;
-      return;
-    }
-  }
-  let found = metLight(*p, hit, surface, met.geometric, only);
-  (*p).radiance += (*p).throughput * select(found, vec3f(0.0), escaped);
-
-  // Light that must come from this side to count: none is excluded where light goes through.
-  let litSide = select(normal, vec3f(0.0), isClear);
-  let u = nextTwo3d(&(*p).sampler);
-  let choice = chooseEmitter(point, litSide, u.first.z);
-  let emitter = emitterAt(choice.index, only);
-  let light = sampleEmitter(emitter, point, u.first.xy);
-  let lightPdf = light.pdf * choice.probability;
-  var hero = vec3f(1.0);
-  if (hasTransmission) {
-    if (isClear & (layersHere.dispersion > 0.0)) {
-      hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
-    }
-  }
-  let o = outgoing(surface, wo, hero);
-  let drawn = sampleLobe(surface, o, u.second);
-  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn);
-  // What is opaque lets no light through, even where a shading normal says that it comes from the front.
-  let opaque = hasMeshes & !isClear;
-  let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
-  let toLight = select(values.toLight, vec4f(0.0), lightLeaks);
-  // A light that rays cannot meet is found by light sampling only.
-  let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
-  let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
-  let bsdf = values.drawn;
-  let direction = toWorld(basis, bsdf.direction);
-  let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
-  let goesOn = !escaped & ((*p).depth != frame.maxDepth);
-  let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
-  let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
-  (*p).light = select(vec3f(0.0), contribution, lit);
-  let throughput = (*p).throughput * bsdf.weight;
-  let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
-  (*p).depth++;
-  // A ray that escaped is still asked for.
-  let stays = !hasMeshes & escaped;
-  (*p).throughput = select(throughput / survival, (*p).throughput, stays);
-  (*p).pdf = select(select(bsdf.pdf, 0.0, bsdf.delta), (*p).pdf, stays);
-  (*p).litSide = select(litSide, (*p).litSide, stays);
-  (*p).odds.total = select(choice.odds.total, (*p).odds.total, stays);
-  (*p).odds.tree = select(choice.odds.tree, (*p).odds.tree, stays);
-  let solid = !isFlat(shape);
-  let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(select(point, rays.point, stays), shape, hit.triangle, relativeTMin * length(point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
+  return Meeting(rays.point + hit.t * rays.direction, shape, surface, isClear, met.geometric, outward, basis, wo);
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
+
+// Triangle meshes, and such with shading normals of their own.
+override hasMeshes = false;
+
+fn scatter(p: ptr<function, Path>, hit: PairHit, m: Meeting, lit: Lit) {
+  let rays = (*p).rays;
+  let escaped = hit.shape == noShape;
+  let light = lit.light;
+  var hero = vec3f(1.0);
+  if (hasTransmission) {
+    if (m.isClear & (layersHere.dispersion > 0.0)) {
+      hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
+    }
+  }
+  let o = outgoing(m.surface, m.wo, hero);
+  let drawn = sampleLobe(m.surface, o, lit.u);
+  let values = evaluatePair(m.surface, o, toLocal(m.basis, light.direction), drawn);
+  // What is opaque lets no light through, even where a shading normal says that it comes from the front.
+  let opaque = hasMeshes & !m.isClear;
+  let lightLeaks = opaque & crosses(m.geometric, light.direction, -rays.direction);
+  let toLight = select(values.toLight, vec4f(0.0), lightLeaks);
+  // A light that rays cannot meet is found by light sampling only.
+  let alone = light.delta | ((lit.shape < 0.0) & (light.distance < miss));
+  let lightWeight = select(misWeight(lit.pdf, toLight.a), 1.0, alone) / lit.pdf;
+  let bsdf = values.drawn;
+  let direction = toWorld(m.basis, bsdf.direction);
+  let leaks = opaque & crosses(m.geometric, direction, -rays.direction);
+  let goesOn = !escaped & ((*p).depth != frame.maxDepth);
+  let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
+  let isLit = goesOn & (lit.pdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
+  (*p).light = select(vec3f(0.0), contribution, isLit);
+  let throughput = (*p).throughput * bsdf.weight;
+  let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
+  let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  (*p).depth++;
+  // A ray that escaped is still asked for.
+  let stays = !hasMeshes & escaped;
+  (*p).throughput = select(throughput / survival, (*p).throughput, stays);
+  (*p).pdf = select(select(bsdf.pdf, 0.0, bsdf.delta), (*p).pdf, stays);
+  (*p).litSide = select(litSideOf(m), (*p).litSide, stays);
+  (*p).odds.total = select(lit.odds.total, (*p).odds.total, stays);
+  (*p).odds.tree = select(lit.odds.tree, (*p).odds.tree, stays);
+  let solid = !isFlat(m.shape);
+  let lightShape = select(noShape, u32(max(lit.shape, 0.0)), lit.shape >= 0.0);
+  (*p).rays = RayPair(select(m.point, rays.point, stays), m.shape, hit.triangle, relativeTMin * length(m.point), alive, select(direction, rays.direction, stays), solid & (dot(direction, m.outward) < 0.0), light.direction, solid & (dot(light.direction, m.outward) < 0.0), select(-1.0, light.distance, isLit), lightShape, numberOfNext((*p).sampler));
+}
+
+// Adds what the ray has found there by itself.
+fn lightAt(p: ptr<function, Path>, hit: PairHit, m: Meeting) -> Lit {
+  let only = fetchEmitter(0u);
+  let found = metLight(*p, hit, m.surface, m.geometric, only);
+  (*p).radiance += (*p).throughput * select(found, vec3f(0.0), hit.shape == noShape);
+  let u = nextTwo3d(&(*p).sampler);
+  let choice = chooseEmitter(m.point, litSideOf(m), u.first.z);
+  let emitter = emitterAt(choice.index, only);
+  let light = sampleEmitter(emitter, m.point, u.first.xy);
+  return Lit(light, light.pdf * choice.probability, emitter.shape, choice.odds, u.second);
+}
+
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
+  t: f32,
+  shape: u32,
+  // Whether the light is hidden.
+  blocked: bool,
+  // Of a mesh: which triangle, and how much its second and third vertex count.
+  triangle: LeftTriangle,
+  weights: vec2f,
+}
+
 
 // In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
 // layers/clearcoat.wesl.
@@ -353,294 +399,20 @@ override hasCoatNormals = false;
 
 override hasCoats = false;
 
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = tableTexel(14u, i);
-  let t1 = tableTexel(15u, i);
-  let t2 = tableTexel(16u, i);
-  let t3 = tableTexel(17u, i);
-  let t4 = tableTexel(18u, i);
-  let t5 = tableTexel(19u, i);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
-}
-
-// Triangle meshes, and such with shading normals of their own.
-override hasMeshes = false;
-
-// Light that the ray found by itself: of the surface that it met.
-fn metLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
-  let direction = p.rays.direction;
-  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
-  let own = emitterOf(s.code);
-  var found = select(s.emission, vec3f(0.0), hidden);
-  // A lamp beyond the number of emitters that light sampling knows counts whole.
-  if ((own >= 0) & (frame.emitterCount > 0u)) {
-    var i = u32(max(own, 0));
-    if (hasMeshLamps) {
-      if (hit.triangle.instance != noInstance) {
-        i += emitterOfTriangle(emitterAt(i, only), hit.triangle);
-      }
-    }
-    let met = emitterAt(i, only);
-    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
-    var probability = listedProbability(met, p.rays.point, p.litSide, p.odds);
-    if (hasLightTree) {
-      if (met.leaf >= 0.0) {
-        probability = treeProbability(met, p.rays.point, p.litSide, p.odds);
-      }
-    }
-    found *= select(misWeight(p.pdf, density * probability), 1.0, p.pdf <= 0.0);
-  }
-  return found;
-}
-
-fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
-  let g = nextGroups(*s);
-  (*s).key = (*s).key + 2u;
-  let x = firstOf(g);
-  let y = secondOf(g);
-  let z = thirdOf(g);
-  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
-}
-
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
-// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
-fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var hasTree = false;
-  if (hasLightTree) {
-    hasTree = frame.lightTreeDepth > 0u;
-  }
-  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
-  if (hasManyLights) {
-    if (frame.emitterCount > 1u) {
-      var total = 0.0;
-      var chosen = 0u;
-      var chosenWeight = 0.0;
-      var rest = u;
-      var i = 0u;
-      loop {
-        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
-        total += weight;
-        let share = weight / max(total, 1e-37);
-        let take = rest < share;
-        chosen = select(chosen, i, take);
-        chosenWeight = select(chosenWeight, weight, take);
-        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-        i++;
-        if (i >= listed) {
-          break;
-        }
-      }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-      if (hasLightTree) {
-        if (hasTree) {
-          let down = descend(point, normal, rest, noLeaf, total);
-          choice.odds.tree = down.share;
-          choice.index = select(chosen, down.emitter, down.taken);
-          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
-        }
-      }
-    }
-  }
-  return choice;
-}
-
-// `only`: fetched before, when the program is for scenes with one.
-fn emitterAt(i: u32, only: Emitter) -> Emitter {
-  var emitter = only;
-  if (hasManyLights) {
-    emitter = fetchEmitter(i);
-  }
-  return emitter;
-}
-
-// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
-// lamp that the point itself lies on.
-fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights) {
-    if (e.kind == sphereKind) {
-      s = sampleSphere(e, point, u);
-    }
-  }
-  if (hasQuadLights) {
-    if (e.kind == quadKind) {
-      s = sampleQuad(e, point, u);
-    }
-  }
-  if (hasBoxLights) {
-    if (e.kind == boxKind) {
-      s = sampleBox(e, point, u);
-    }
-  }
-  if (hasMeshLamps) {
-    if (e.kind == meshKind) {
-      s = sampleMesh(e, point, u);
-    }
-  }
-  if (hasPointLights) {
-    if (e.kind == pointKind) {
-      s = samplePoint(e, point);
-    }
-  }
-  if (hasPointLights) {
-    if (e.kind == spotKind) {
-      s = sampleSpot(e, point);
-    }
-  }
-  if (hasSuns) {
-    if (e.kind == directionalKind) {
-      s = sampleDirectional(e, u);
-    }
-  }
-  if (hasSky) {
-    if (e.kind == skyKind) {
-      s = sampleSky(u);
-    }
-  }
-  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
-  return s;
-}
-
-// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
-fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
-  let code = u32(s.code);
-  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
-  if (hasLayers) {
-    if (isLayered(code)) {
-      meetLayers(s, wo, hero);
-    }
-  }
-  if (hasMetallicRoughness) {
-    if (!hasLayers) {
-      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
-    }
-  }
-  if (hasGlass) {
-    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
-  }
-  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
-    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
-    o.stretched = stretched(wo, s.alpha);
-  }
-  return o;
-}
-
-// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
-fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
-  let wo = o.wo;
-  let mirror = mirrorShare(s.reflectivity);
-  let base = 1.0 - mirror;
-  // What is left of u.z is uniform again, and once more below.
-  let choice = (u.z - mirror) / base;
-  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
-  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
-    let code = u32(s.code);
-    let isGlass = isDielectric(code);
-    let delta = isSmooth(code);
-    let h = sampleFacet(s.alpha, delta, o, u.xy);
-    let oh = max(dot(wo, h), 0.0);
-    let f = facetReflectance(s, oh, o.ratio);
-    let crossing = isGlass & (choice >= f.x);
-    var wi = 2.0 * oh * h - wo;
-    var probability = base * o.share;
-    var weight = f / o.share;
-    if (hasGlass) {
-      let thin = isThin(code);
-      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
-      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
-      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
-    }
-    // A facet may send light to the wrong side: it is lost, as in single scattering.
-    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
-    let specular = choice < o.share;
-    drawn.direction = select(drawn.direction, wi, specular);
-    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
-    drawn.weight = select(drawn.weight, weight, specular);
-    drawn.delta = specular & delta;
-  }
-  if (hasLayers) {
-    if (isLayered(u32(s.code))) {
-      let layered = sampleLayered(s, vec3f(u.xy, choice));
-      drawn = BsdfSample(layered.direction, base * layered.pdf, vec3f(0.0), layered.delta);
-    }
-  }
-  if (hasMirrorLayers) {
-    let reflected = u.z < mirror;
-    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
-    drawn.pdf = select(drawn.pdf, mirror, reflected);
-    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
-    drawn.delta = drawn.delta | reflected;
-  }
-  return drawn;
-}
-
-// What there is to know of the direction to the light and of the one that sampleLobe gave.
-fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
-  if (hasLayers) {
-    if (isLayered(u32(s.code))) {
-      // Not by the mirror over everything, whose weight is known.
-      let byMirror = drawn.delta & !any(drawn.weight > vec3f(0.0));
-      let base = 1.0 - mirrorShare(s.reflectivity);
-      let layered = evaluateLayers(s, toLight, drawn.direction, byMirror);
-      pair.toLight = base * layered.toLight;
-      let ofSample = completed(BsdfSample(drawn.direction, drawn.pdf, drawn.weight, drawn.delta & !byMirror), base * layered.toSample);
-      pair.drawn = BsdfSample(ofSample.direction, ofSample.pdf, ofSample.weight, drawn.delta);
-    }
-  }
-  return pair;
-}
-
-// Whether one of two directions away from a surface points into it and the other out of it.
-fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
-  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
-}
-
-const miss = 1e30;
-
-// Power heuristic, for one sample of each kind.
-fn misWeight(own: f32, other: f32) -> f32 {
-  let ratio = other / own;
-  return 1.0 / (1.0 + ratio * ratio);
-}
-
-fn toWorld(b: Basis, v: vec3f) -> vec3f {
-  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
-}
-
-fn max3(v: vec3f) -> f32 {
-  return max(max(v.x, v.y), v.z);
-}
-
-const rouletteShare = 1.0 / 3.0;
-
-// From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
-// weigh so much that the noise costs more than the rays that were saved.
-const rouletteDepth = 5u;
-
-fn isFlat(i: u32) -> bool {
-  return i >= frame.shapeEnds.y;
-}
-
-// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
-const relativeTMin = 1e-5;
-
-// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
-fn numberOfNext(s: Sampler) -> u32 {
-  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
-}
-
-struct PairHit {
-  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
-  t: f32,
+// Where the path's ray ends, as light sampling and scattering see it.
+struct Meeting {
+  point: vec3f,
+  // 0 where the ray has met nothing.
   shape: u32,
-  // Whether the light is hidden.
-  blocked: bool,
-  // Of a mesh: which triangle, and how much its second and third vertex count.
-  triangle: LeftTriangle,
-  weights: vec2f,
+  surface: Surface,
+  isClear: bool,
+  // Unit vectors in the world, out of solids or to the front of triangles.
+  geometric: vec3f,
+  outward: vec3f,
+  // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
+  basis: Basis,
+  // To where the ray came from, in that frame.
+  wo: vec3f,
 }
 
 
@@ -743,39 +515,6 @@ struct Layers {
 // `side` -1: as it is in the frame that is mirrored, where the coat of the other side of a thin wall is above.
 fn coatNormal(side: f32) -> vec3f {
   return vec3f(side * coatNormalHere.xy, coatNormalHere.z);
-}
-
-// One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
-// so the mean is right, and a path of one colour keeps it.
-fn heroColor(throughput: vec3f, u: f32) -> vec3f {
-  let share = throughput / max(dot(throughput, vec3f(1.0)), 1e-30);
-  let isRed = u < share.x;
-  let isBlue = !isRed & (u >= share.x + share.y) & (share.z > 0.0);
-  let chosen = select(select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), isBlue), vec3f(1.0, 0.0, 0.0), isRed);
-  return chosen / max(dot(chosen, share), 1e-6);
-}
-
-// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
-fn nextHash(s: ptr<function, Sampler>) -> f32 {
-  (*s).key = (*s).key + 1u;
-  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample * 256u) | (*s).place)));
-}
-
-// Uniform in [0, 1) with 24 bits.
-fn unitFloat(h: u32) -> f32 {
-  return f32(h >> 8u) * 5.9604644775390625e-8;
-}
-
-fn mixBits(x: u32) -> u32 {
-  return mixBits2(vec2u(x)).x;
-}
-
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits2(x: vec2u) -> vec2u {
-  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
-  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
-  return y ^ (y >> vec2u(15u));
 }
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
@@ -1534,580 +1273,152 @@ fn isDielectric(code: u32) -> bool {
 
 const dielectric = 3u;
 
-struct Emitter {
-  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
-  position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
-  kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point
-  u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
-  radius: f32,
-  // other edge of a quad; mean of the normals of a mesh, weighted by area
-  v: vec3f,
-  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
-  cosInner: f32,
-  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
-  radiance: vec3f,
-  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
-  area: f32,
-  // row of the shape that rays meet; -1: none, only light sampling finds it
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
+  let code = u32(s.code);
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
+  if (hasLayers) {
+    if (isLayered(code)) {
+      meetLayers(s, wo, hero);
+    }
+  }
+  if (hasMetallicRoughness) {
+    if (!hasLayers) {
+      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    }
+  }
+  if (hasGlass) {
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
+  }
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
+    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
+    o.stretched = stretched(wo, s.alpha);
+  }
+  return o;
+}
+
+// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
+// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
+  let wo = o.wo;
+  let mirror = mirrorShare(s.reflectivity);
+  let base = 1.0 - mirror;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - mirror) / base;
+  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
+    let code = u32(s.code);
+    let isGlass = isDielectric(code);
+    let delta = isSmooth(code);
+    let h = sampleFacet(s.alpha, delta, o, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let f = facetReflectance(s, oh, o.ratio);
+    let crossing = isGlass & (choice >= f.x);
+    var wi = 2.0 * oh * h - wo;
+    var probability = base * o.share;
+    var weight = f / o.share;
+    if (hasGlass) {
+      let thin = isThin(code);
+      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
+      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
+      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
+    }
+    // A facet may send light to the wrong side: it is lost, as in single scattering.
+    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
+    let specular = choice < o.share;
+    drawn.direction = select(drawn.direction, wi, specular);
+    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
+    drawn.weight = select(drawn.weight, weight, specular);
+    drawn.delta = specular & delta;
+  }
+  if (hasLayers) {
+    if (isLayered(u32(s.code))) {
+      let layered = sampleLayered(s, vec3f(u.xy, choice));
+      drawn = BsdfSample(layered.direction, base * layered.pdf, vec3f(0.0), layered.delta);
+    }
+  }
+  if (hasMirrorLayers) {
+    let reflected = u.z < mirror;
+    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
+    drawn.pdf = select(drawn.pdf, mirror, reflected);
+    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
+    drawn.delta = drawn.delta | reflected;
+  }
+  return drawn;
+}
+
+// What there is to know of the direction to the light and of the one that sampleLobe gave.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
+  if (hasLayers) {
+    if (isLayered(u32(s.code))) {
+      // Not by the mirror over everything, whose weight is known.
+      let byMirror = drawn.delta & !any(drawn.weight > vec3f(0.0));
+      let base = 1.0 - mirrorShare(s.reflectivity);
+      let layered = evaluateLayers(s, toLight, drawn.direction, byMirror);
+      pair.toLight = base * layered.toLight;
+      let ofSample = completed(BsdfSample(drawn.direction, drawn.pdf, drawn.weight, drawn.delta & !byMirror), base * layered.toSample);
+      pair.drawn = BsdfSample(ofSample.direction, ofSample.pdf, ofSample.weight, drawn.delta);
+    }
+  }
+  return pair;
+}
+
+// Whether one of two directions away from a surface points into it and the other out of it.
+fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
+  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
+}
+
+const miss = 1e30;
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+const rouletteShare = 1.0 / 3.0;
+
+// From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
+// weigh so much that the noise costs more than the rays that were saved.
+const rouletteDepth = 5u;
+
+// Light that must come from this side to count: none is excluded where light goes through.
+fn litSideOf(m: Meeting) -> vec3f {
+  return select(m.basis.normal, vec3f(0.0), m.isClear);
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
+fn numberOfNext(s: Sampler) -> u32 {
+  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
+}
+
+// A sample of the light at a point, and the numbers that decide how the path goes on from there.
+struct Lit {
+  light: LightSample,
+  // Per solid angle, with the choice of the light.
+  pdf: f32,
+  // Emitter.shape
   shape: f32,
-  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
-  oneSided: f32,
-  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
-  power: f32,
-  // radius of the bounding sphere; of directional light: sine of half the angular diameter
-  reach: f32,
-  // its place among the leaves of the light tree; -1: it is in none
-  leaf: f32,
-  // mesh: row of its first triangle among the tables of lamps
-  table: f32,
-  // mesh: how many
-  triangles: f32,
-  // mesh: of which instance
-  instance: f32,
-}
-
-
-// Index of the emitter that a shape is, from -1 for none.
-fn emitterOf(code: f32) -> i32 {
-  return (i32(code) >> 7u) - 1;
-}
-
-// Meshes that shine, and so many lights that a tree chooses among them.
-override hasMeshLamps = false;
-
-// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
-// outward normal; of a mesh, the triangle at that place.
-fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
-  var pdf = 0.0;
-  if (hasSphereLights) {
-    if (e.kind == sphereKind) {
-      pdf = spherePdf(e, point, direction);
-    }
-  }
-  if (hasQuadLights) {
-    if (e.kind == quadKind) {
-      pdf = quadPdf(e, point, distance);
-    }
-  }
-  if (hasBoxLights) {
-    if (e.kind == boxKind) {
-      pdf = boxPdf(e, point, direction, distance, normal);
-    }
-  }
-  if (hasMeshLamps) {
-    if (e.kind == meshKind) {
-      pdf = meshPdf(e, direction, distance, normal, place);
-    }
-  }
-  return pdf;
-}
-
-// With which chooseEmitter would have chosen this one there, which is not in the tree.
-fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
-  var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights) {
-    if (frame.emitterCount > 1u) {
-      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
-      if (hasLightTree) {
-        probability *= 1.0 - odds.tree;
-      }
-    }
-  }
-  return probability;
-}
-
-override hasLightTree = false;
-
-// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
-fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
-  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
-}
-
-// The same of one that is.
-fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
-  var probability = 0.0;
-  if (frame.lightTreeDepth > 0u) {
-    let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
-    probability = down.probability * down.share;
-  }
-  return probability;
-}
-
-// `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
-fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
-  var level = frame.lightTreeDepth;
-  var node = 0u;
-  var rest = u;
-  var choice = TreeChoice(0u, 1.0, 0.0, true);
-  loop {
-    level--;
-    let n = fetchLightNode(frame.lightTree + node);
-    let w = estimatesOfChildren(n, point, normal);
-    let two = w.x + w.y;
-    let three = two + w.z;
-    let total = three + w.w;
-    if (node == 0u) {
-      choice.share = shareOfTree(total, far);
-      choice.taken = rest < choice.share;
-      rest = min(rest / max(choice.share, 1e-37), 0.99999994);
-    }
-    let at = rest * total;
-    let byChance = u32(at >= w.x) + u32(at >= two) + u32(at >= three);
-    let child = select((u32(max(leaf, 0)) >> (2u * level)) & 3u, byChance, leaf < 0);
-    let low = child < 2u;
-    let odd = (child & 1u) == 1u;
-    let own = select(select(w.z, w.w, odd), select(w.x, w.y, odd), low);
-    let before = select(select(two, three, odd), select(0.0, w.x, odd), low);
-    choice.probability *= own / max(total, 1e-37);
-    choice.emitter = u32(select(select(n.emitters.z, n.emitters.w, odd), select(n.emitters.x, n.emitters.y, odd), low));
-    rest = clamp((at - before) / max(own, 1e-37), 0.0, 0.99999994);
-    node = 4u * node + 1u + child;
-    if (level == 0u) {
-      break;
-    }
-  }
-  return choice;
-}
-
-struct TreeChoice {
-  emitter: u32,
-  // Of this emitter, once it is to be one of the tree.
-  probability: f32,
-  // Probability of the tree, beside the lights that are infinitely far, and whether chance takes it.
-  share: f32,
-  taken: bool,
-}
-
-
-fn fetchLightNode(i: u32) -> LightNode {
-  let t0 = tableTexel(0u, i);
-  let t1 = tableTexel(1u, i);
-  let t2 = tableTexel(2u, i);
-  let t3 = tableTexel(3u, i);
-  let t4 = tableTexel(4u, i);
-  let t5 = tableTexel(5u, i);
-  let t6 = tableTexel(6u, i);
-  let t7 = tableTexel(7u, i);
-  let t8 = tableTexel(8u, i);
-  let t9 = tableTexel(9u, i);
-  let t10 = tableTexel(10u, i);
-  let t11 = tableTexel(11u, i);
-  return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
-}
-
-// An estimate of each child's irradiance at the point; 0 where it can be none. A normal of zero: light comes through from both sides.
-fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
-  let x = n.x - point.x;
-  let y = n.y - point.y;
-  let z = n.z - point.z;
-  let distance2 = x * x + y * y + z * z;
-  let inverse = inverseSqrt(max(distance2, vec4f(1e-30)));
-  let inside = distance2 <= n.reach * n.reach;
-  // Half the angle that the sphere fills; all of it from inside.
-  let sinB = min(n.reach * inverse, vec4f(1.0));
-  let cosB = select(sineOf(sinB), vec4f(-1.0), inside);
-  let along = -(n.axisX * x + n.axisY * y + n.axisZ * z) * inverse;
-  let cosW = clamp(select(along, abs(along), n.bothSides > vec4f(0.5)), vec4f(-1.0), vec4f(1.0));
-  let sinW = sineOf(cosW);
-  let sinO = sineOf(n.cosWidth);
-  let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
-  let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
-  let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
-  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
-  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
-  let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
-  return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
-}
-
-// The estimate for the whole tree is rough; so neither side gets less than a quarter where there are both.
-fn shareOfTree(total: f32, far: f32) -> f32 {
-  let share = 0.25 + 0.5 * total / max(total + far, 1e-37);
-  return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
-}
-
-struct LightNode {
-  // of each child the centre of a sphere about its lights, eye-relative
-  x: vec4f,
-  // y
-  y: vec4f,
-  // z
-  z: vec4f,
-  // radius of the sphere
-  reach: vec4f,
-  // unit axis of the cone that holds all normals of the lights
-  axisX: vec4f,
-  // y
-  axisY: vec4f,
-  // z
-  axisZ: vec4f,
-  // cosine of that cone, from its axis
-  cosWidth: vec4f,
-  // cosine of the angle from a normal up to which there is light
-  cosEdge: vec4f,
-  // 1: also against the normals
-  bothSides: vec4f,
-  // sum of what Emitter has; 0: there is no such child
-  power: vec4f,
-  // in the lowest nodes: which emitter the child is
-  emitters: vec4f,
-}
-
-
-fn sineOf(cosine: vec4f) -> vec4f {
-  return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
-}
-
-// cos(max(a - b, 0)), of angles from 0 to pi.
-fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
-  return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
-}
-
-// Kinds of light, and more than one of them.
-override hasSphereLights = true;
-
-override hasQuadLights = false;
-
-override hasBoxLights = false;
-
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
-// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
-fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
-  let view = viewSphere(e, point);
-  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
-  return select(0.0, conePdf(view.width), reached);
-}
-
-fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
-  let toCenter = e.position - point;
-  let d = length(toCenter);
-  let power = abs((d - e.radius) * (d + e.radius));
-  let inside = d <= e.radius;
-  let sine = min(e.radius / max(d, 1e-30), 1.0);
-  let cosine = sqrt(power) / max(d, 1e-30);
-  // 1 - cos = sin^2 / (1 + cos)
-  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
-}
-
-fn conePdf(width: f32) -> f32 {
-  return 1.0 / (2.0 * pi * max(width, 1e-31));
-}
-
-struct SphereView {
-  toCenter: vec3f,
-  distance: f32,
-  // |distance^2 - radius^2|
-  power: f32,
-  inside: bool,
-  // 1 - cosine of the cone's half angle.
-  width: f32,
-}
-
-
-const pi = 3.14159265359;
-
-const quadKind = 1.0;
-
-fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
-  return pdfOfView(viewQuad(e, point), e.area, distance);
-}
-
-fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
-  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
-  return select(0.0, pdf, q.lit);
-}
-
-fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
-  let corner = e.position - point;
-  let lengths = vec2f(length(e.u), length(e.v));
-  let axisX = e.u / lengths.x;
-  let axisY = e.v / lengths.y;
-  let normal = normalize(cross(axisX, axisY));
-  let signedHeight = dot(corner, normal);
-  // From the plane itself a quad is a line.
-  let least = 1e-7 * (lengths.x + lengths.y);
-  let height = max(abs(signedHeight), least);
-  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
-  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
-  let high = low + lengths;
-  let y = vec2f(low.y, high.y);
-  let start = stretch(low.x, y, height);
-  let solidAngle = stretch(high.x, y, height) - start;
-  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
-  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
-  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
-}
-
-// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
-fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
-  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
-  return min(pdf, largestPdf);
-}
-
-// Rectangles that fill less than this, in steradians, are sampled by area.
-const smallSolidAngle = 0.01;
-
-struct QuadView {
-  // From the point.
-  corner: vec3f,
-  // Unit, along u and v, and from the point to the plane.
-  axisX: vec3f,
-  axisY: vec3f,
-  axisZ: vec3f,
-  // The corner's coordinates and the edges' lengths.
-  low: vec2f,
-  high: vec2f,
-  height: f32,
-  // T(x0) and T(x1) - T(x0).
-  start: f32,
-  solidAngle: f32,
-  // Shines at the point.
-  lit: bool,
-  bySolidAngle: bool,
-}
-
-
-// Above all real densities, so that what divides by one stays finite.
-const largestPdf = 1e30;
-
-// T(x)
-fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
-  let r = sqrt(x * x + y * y + h * h);
-  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
-}
-
-// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
-// 1e-4, and solid angles are differences of such angles.
-fn arctangent(x: f32) -> f32 {
-  let a = abs(x);
-  let steep = a > 2.414213562;
-  let middle = (a > 0.4142135624) & !steep;
-  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
-  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
-  let z = r * r;
-  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
-  return sign(x) * (base + (series * z * r + r));
-}
-
-const boxKind = 2.0;
-
-fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  let b = viewBox(e, point);
-  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
-}
-
-fn viewBox(e: Emitter, point: vec3f) -> BoxView {
-  let rotation = fetchExtent(u32(e.shape)).a;
-  let p = rotate(rotation, point - e.position);
-  let seen = abs(p) > e.u;
-  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
-  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
-}
-
-struct BoxView {
-  // World to box.
-  rotation: vec4f,
-  // The point in the box's own axes.
-  point: vec3f,
-  // Area, per axis, of the face that is seen; at most one of the two.
-  faces: vec3f,
-  area: f32,
-  inside: bool,
-}
-
-
-const meshKind = 7.0;
-
-fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
-  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
-  return areaPdf(e.area, distance * abs(dot(direction, normal)), distance) * fetchLampTriangle(row).density;
-}
-
-fn fetchLampTriangle(row: u32) -> LampTriangle {
-  let r0 = geometryRow(row + 0u);
-  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
-}
-
-struct LampTriangle {
-  // alias table: probability to take this triangle and not the other one
-  own: f32,
-  // of this triangle, in the order of its mesh
-  place: u32,
-  // place of the other one
-  other: u32,
-  // how likely its points are: as a factor on 1 / area of the emitter
-  density: f32,
-}
-
-
-override hasManyLights = true;
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  if (hasMeshLamps) {
-    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
-    let alike = length(e.v);
-    let across = -dot(e.v, toLight);
-    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
-    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
-    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
-    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
-  }
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasSuns = false;
-
-const directionalKind = 5.0;
-
-override hasPointLights = false;
-
-override hasSky = true;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-const skyKind = 6.0;
-
-// The next one and the one after that, neither of them taken yet.
-fn nextGroups(s: Sampler) -> Groups {
-  let a = mixBits2(s.key + vec2u(1u, 2u));
-  let half = (a ^ vec2u(s.salt)) * 0x9e3779b1u;
-  let b = half ^ (half >> vec2u(16u));
-  let place = scramble(vec2u(s.place), b);
-  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
-  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
-  // come from two groups together would be the same all over the tile.
-  let own = s.sample * ((place >> vec2u(7u)) & vec2u(0xfffffffeu));
-  let index = reversed(scramble(vec2u(s.sample) ^ own, a) & vec2u(0xffffu));
-  return Groups(index, shiftOfPlace(place & vec2u(0xffu)), (a >> vec2u(16u)) | (a * 65536u), (b >> vec2u(16u)) | (b * 65536u));
-}
-
-// The first number of either group, the second, and the third.
-fn firstOf(g: Groups) -> vec2f {
-  return toUnit(scramble(g.index ^ g.shift, g.seedA));
-}
-
-fn secondOf(g: Groups) -> vec2f {
-  return toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB));
-}
-
-fn thirdOf(g: Groups) -> vec2f {
-  return toUnit(scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u)));
-}
-
-// Three numbers of each of the next two groups.
-struct TwoPoints {
-  first: vec3f,
-  second: vec3f,
-}
-
-
-// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
-// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
-// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-fn scramble(x: vec2u, seed: vec2u) -> vec2u {
-  var y = x ^ (x * 0x3d20adeau);
-  y = (y + seed) * ((seed >> vec2u(16u)) | vec2u(1u));
-  y ^= y * 0x05526c56u;
-  return y ^ (y * 0x53a22864u);
-}
-
-fn reversed(x: vec2u) -> vec2u {
-  return reverseBits(x) >> vec2u(16u);
-}
-
-// Padded sequences, two side by side: what all dimensions of each have in common. In Windows' shader compiler one operation with two
-// numbers takes half the time of two operations; all others make the same of both.
-struct Groups {
-  // Shuffled sample index.
-  index: vec2u,
-  // What sets this pixel apart from its neighbours.
-  shift: vec2u,
-  seedA: vec2u,
-  seedB: vec2u,
-}
-
-
-// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
-// last ones.
-fn shiftOfPlace(x: vec2u) -> vec2u {
-  var y = x ^ timesW((x >> vec2u(2u)) & vec2u(0x33u));
-  y ^= timesW2((y >> vec2u(4u)) & vec2u(0x0fu));
-  return timesW(y) | (y * 256u);
-}
-
-// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
-fn timesW(x: vec2u) -> vec2u {
-  return ((x ^ (x * 2u)) & vec2u(0xaaaau)) | ((x >> vec2u(1u)) & vec2u(0x5555u));
-}
-
-fn timesW2(x: vec2u) -> vec2u {
-  return ((x * 2u) & vec2u(0xaaaau)) | ((x ^ (x >> vec2u(1u))) & vec2u(0x5555u));
-}
-
-fn toUnit(scrambled: vec2u) -> vec2f {
-  return vec2f(((reverseBits(scrambled) >> vec2u(8u)) & vec2u(0xffff00u)) | (scrambled >> vec2u(24u))) * 5.9604644775390625e-8;
-}
-
-// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
-fn pascal(x: vec2u) -> vec2u {
-  var y = x ^ ((x >> vec2u(1u)) & vec2u(0x5555u));
-  y ^= (y >> vec2u(2u)) & vec2u(0x3333u);
-  y ^= (y >> vec2u(4u)) & vec2u(0x0f0fu);
-  return y ^ ((y >> vec2u(8u)) & vec2u(0x00ffu));
-}
-
-// The same with w^2 in place of w, of any eight digits.
-fn pascalW2(x: vec2u) -> vec2u {
-  var y = x ^ timesW2((x >> vec2u(2u)) & vec2u(0x3333u));
-  y ^= timesW((y >> vec2u(4u)) & vec2u(0x0f0fu));
-  return y ^ timesW2((y >> vec2u(8u)) & vec2u(0x00ffu));
-}
-
-struct EmitterChoice {
-  index: u32,
-  // 0: no light reaches the point.
-  probability: f32,
   odds: Odds,
+  u: vec3f,
 }
 
-
-const noLeaf = -1;
 
 // What sampling a light gives: one direction, and how likely it was.
 struct LightSample {
@@ -2124,422 +1435,38 @@ struct LightSample {
 }
 
 
-fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  let view = viewSphere(e, point);
-  let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
-  let ray = sampleCone(axis, view.width, u);
-  let along = view.distance * ray.cosine;
-  let halfChord = sqrt(max(e.radius * e.radius - view.distance * view.distance * ray.sine2, 0.0));
-  // The product of the ray's two distances to the sphere is the point's power (Euclid III.36): the smaller of them by division.
-  let larger = abs(along) + halfChord;
-  let takeLarger = view.inside & (along > 0.0);
-  let distance = select(view.power / max(larger, 1e-30), larger, takeLarger);
-  return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
+// One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
+// so the mean is right, and a path of one colour keeps it.
+fn heroColor(throughput: vec3f, u: f32) -> vec3f {
+  let share = throughput / max(dot(throughput, vec3f(1.0)), 1e-30);
+  let isRed = u < share.x;
+  let isBlue = !isRed & (u >= share.x + share.y) & (share.z > 0.0);
+  let chosen = select(select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), isBlue), vec3f(1.0, 0.0, 0.0), isRed);
+  return chosen / max(dot(chosen, share), 1e-6);
 }
 
-fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
-  let oneMinusCosine = u.x * width;
-  let cosine = 1.0 - oneMinusCosine;
-  let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
-  let sine = sqrt(max(sine2, 0.0));
-  let phi = 2.0 * pi * u.y;
-  // Some GPUs' sines are off by 1e-4; the direction keeps its length.
-  let turn = vec2f(cos(phi), sin(phi));
-  let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
-  return ConeDirection(direction, cosine, sine2);
+// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
+fn nextHash(s: ptr<function, Sampler>) -> f32 {
+  (*s).key = (*s).key + 1u;
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample * 256u) | (*s).place)));
 }
 
-// v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
-  let s = select(-1.0, 1.0, axis.z >= 0.0);
-  let a = -1.0 / (s + axis.z);
-  let b = axis.x * axis.y * a;
-  let x = vec3f(1.0 + s * axis.x * axis.x * a, s * b, -s * axis.x);
-  let y = vec3f(b, s + axis.y * axis.y * a, -axis.y);
-  return v.x * x + v.y * y + v.z * axis;
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
-struct ConeDirection {
-  direction: vec3f,
-  cosine: f32,
-  sine2: f32,
+fn mixBits(x: u32) -> u32 {
+  return mixBits2(vec2u(x)).x;
 }
 
-
-fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  let q = viewQuad(e, point);
-  let onArea = q.corner + u.x * e.u + u.y * e.v;
-  let toLight = select(onArea, sphericalRectangle(q, u), q.bySolidAngle);
-  let distance = max(length(toLight), q.height);
-  return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits2(x: vec2u) -> vec2u {
+  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
+  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
+  return y ^ (y >> vec2u(15u));
 }
-
-// From the point to the rectangle, uniform in solid angle.
-fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
-  let h = q.height;
-  let y = vec2f(q.low.y, q.high.y);
-  let s = y / sqrt(y * y + h * h);
-  let halfT = cosineAndSine(0.5 * (q.start + u.x * q.solidAngle));
-  let across = vec2f(s.y - s.x, s.y + s.x) * halfT;
-  let w = 2.0 * halfT.x * halfT.y / max(length(across), 1e-15);
-  let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
-  // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
-  let d2 = x * x + h * h;
-  let ends = y * inverseSqrt(d2 + y * y);
-  let v = mix(ends.x, ends.y, u.y);
-  let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
-  return x * q.axisX + atY * q.axisY + h * q.axisZ;
-}
-
-// Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
-fn cosineAndSine(x: f32) -> vec2f {
-  let h = 0.5 * x;
-  let z = h * h;
-  let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
-  return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
-}
-
-fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  let b = viewBox(e, point);
-  let onFaces = pointOnFaces(e, b, u);
-  let outwards = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
-  let distance = select(length(onFaces.xyz), max(boxSlabs(b.point, outwards, e.u).far, 0.0), b.inside);
-  let direction = select(onFaces.xyz / max(distance, 1e-30), outwards, b.inside);
-  let pdf = select(areaPdf(b.area, onFaces.w, distance), conePdf(2.0), b.inside);
-  return LightSample(rotateBack(b.rotation, direction), distance, e.radiance, pdf, false);
-}
-
-// From the point to a place on the faces that it sees, and its distance from the plane of that face.
-fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
-  let both = b.faces.x + b.faces.y;
-  let at = u.x * b.area;
-  let onX = at < b.faces.x;
-  let onY = !onX & (at < both);
-  let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
-  // What is left of u.x within the face.
-  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / max(face, 1e-30), 0.0, 1.0);
-  let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
-  let p = vec3f(select(-1.0, 1.0, dot(axis, b.point) >= 0.0), 2.0 * within - 1.0, 2.0 * u.y - 1.0);
-  let toLight = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u - b.point;
-  return vec4f(toLight, abs(dot(axis, toLight)));
-}
-
-fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
-  return rotate(vec4f(-q.xyz, q.w), v);
-}
-
-fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  let chosen = chooseTriangle(e, u);
-  let instance = fetchInstance(frame.instances + u32(e.instance) * instanceRows);
-  let t = fetchTriangle(instance.triangles + chosen.place * triangleRows);
-  let weights = weightsOnTriangle(chosen.u);
-  let toLight = outOfMesh(instance, t.a + weights.x * (t.b - t.a) + weights.y * (t.c - t.a)) - point;
-  let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
-  let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
-  let distance = length(toLight);
-  let pdf = areaPdf(e.area, abs(height), distance) * chosen.density;
-  let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
-  // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
-  let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
-  var radiance = e.radiance;
-  if (hasVariedLamps) {
-    if (e.u.y > 0.0) {
-      let rows = instance.vertices + vec3u(t.vertexA, t.vertexB, t.vertexC) * instance.vertexRows;
-      let c = coverAt(rows, instance.vertexRows, weights);
-      radiance *= radianceShare(u32(fetchSurface(u32(e.shape)).textures), c, (instance.cover & coverRow) != 0u);
-    }
-  }
-  return LightSample(toLight / max(distance, 1e-30), reached, radiance, select(0.0, pdf, lit), false);
-}
-
-fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
-  let first = frame.lampTables + u32(e.table);
-  let column = min(u32(u.x * e.triangles), u32(e.triangles) - 1u);
-  let entry = fetchLampTriangle(first + column);
-  // The digits that the choice of a column has used up are replaced by hashed ones.
-  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
-  let fine = f32(hash) * 5.9604644775390625e-8 * 5.9604644775390625e-8 * e.triangles;
-  let x = clamp(u.x * e.triangles - f32(column) + fine, 0.0, 0.99999994);
-  let own = x < entry.own;
-  let rest = select((x - entry.own) / max(1.0 - entry.own, 1e-7), x / max(entry.own, 1e-37), own);
-  let place = select(entry.other, entry.place, own);
-  let density = fetchLampTriangle(first + column + place - entry.place).density;
-  return ChosenTriangle(place, density, vec2f(min(rest, 1.0), u.y));
-}
-
-// How much the second and third vertex count at a uniform point: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
-fn weightsOnTriangle(u: vec2f) -> vec2f {
-  let low = 0.5 * min(u.x, u.y);
-  let high = max(u.x, u.y) - low;
-  return select(vec2f(high, low), vec2f(low, high), u.x < u.y);
-}
-
-// From the space of the mesh to the eye-relative world: the inverse of what the instance has, by Cramer's rule.
-fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
-  let q = p - vec3f(i.toMeshX.w, i.toMeshY.w, i.toMeshZ.w);
-  let x = cross(i.toMeshY.xyz, i.toMeshZ.xyz);
-  let y = cross(i.toMeshZ.xyz, i.toMeshX.xyz);
-  let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
-  return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
-}
-
-// Such whose emission a texture varies, or that have holes.
-override hasVariedLamps = false;
-
-// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
-fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover {
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  var c = Cover(vec4f(0.0), 1.0);
-  if (each != 0u) {
-    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (each > vertexRows) {
-    let more = rows + vertexRows;
-    let a = fetchVertexMore(more.x);
-    let b = fetchVertexMore(more.y);
-    let d = fetchVertexMore(more.z);
-    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
-    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
-  }
-  return c;
-}
-
-// Share of a lamp's radiance that there is at a point of it: by the texture of its emission, and, where `missing` says that it may not be there,
-// as often as it is. `row`: of its MaterialTextures; the use whose alpha is opacity comes first, and that of the emission next to it.
-fn radianceShare(row: u32, c: Cover, missing: bool) -> vec3f {
-  let material = fetchMaterialTextures(row);
-  let hasFirst = (material.flags & hasOpacityTexture) != 0u;
-  let wanted = min(material.count, select(1u, 2u, hasFirst));
-  var share = vec3f(1.0);
-  var opacity = material.opacity * c.opacity;
-  var i = 0u;
-  if (wanted > 0u) {
-    loop {
-      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
-      let texel = lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u));
-      share *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
-      opacity *= select(1.0, texel.a, hasFirst & (i == 0u));
-      i++;
-      if (i >= wanted) {
-        break;
-      }
-    }
-  }
-  let there = select(select(0.0, 1.0, opacity >= material.cutoff), opacity, material.cutoff < 0.0);
-  return share * select(1.0, there, missing);
-}
-
-const coverRow = 2147483647u;
-
-// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
-struct Cover {
-  uv: vec4f,
-  opacity: f32,
-}
-
-
-const hasOpacityTexture = 2u;
-
-struct ChosenTriangle {
-  place: u32,
-  density: f32,
-  // Two random numbers that are left.
-  u: vec2f,
-}
-
-
-const pointKind = 3.0;
-
-fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
-  let toLight = e.position - point;
-  let distance = length(toLight);
-  let safe = max(distance, 1e-15);
-  return LightSample(toLight / safe, distance, e.radiance / (safe * safe), select(0.0, 1.0, distance > 1e-15), true);
-}
-
-fn sampleSpot(e: Emitter, point: vec3f) -> LightSample {
-  var s = samplePoint(e, point);
-  let falloff = spotFalloff(e, s.direction);
-  s.radiance *= falloff;
-  s.pdf = select(0.0, s.pdf, falloff > 0.0);
-  return s;
-}
-
-fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
-  let delta = e.area == 0.0;
-  let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
-  return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
-}
-
-fn sampleSky(u: vec2f) -> LightSample {
-  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white);
-  if (hasEnvironment) {
-    s = sampleEnvironment(u);
-  }
-  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
-}
-
-struct EnvironmentSample {
-  direction: vec3f,
-  light: EnvironmentLight,
-}
-
-
-// Without a map: white, uniform in all directions.
-const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
-
-// A sky with a map.
-override hasEnvironment = false;
-
-fn sky(direction: vec3f) -> vec3f {
-  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
-}
-
-fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
-  let size = frame.environmentSize;
-  let chosen = chooseCell(u);
-  let k = environmentCorners(chosen.cell);
-  let cell = vec2f(chosen.cell);
-  let atPole = vec2<bool>(cell.y == 0.0, cell.y == size.y);
-  let y = linearSample(chosen.rest.y, max(k.a.a + k.b.a, 0.0), max(k.c.a + k.d.a, 0.0));
-  let t = y * select(1.0, 0.5, any(atPole)) + select(0.0, 0.5, atPole.x);
-  let s = linearSample(chosen.rest.x, mix(k.a.a, k.c.a, t), mix(k.b.a, k.d.a, t));
-  let isLower = 2.0 * cell.y > size.y;
-  let fromPole = select(cell.y + (t - 0.5), size.y - cell.y + (0.5 - t), isLower);
-  let theta = cosineAndSine(fromPole * (pi / size.y));
-  let halfTurns = 2.0 * ((cell.x + (s - 0.5)) / size.x - frame.environmentTurn);
-  let nearest = floor(halfTurns + 0.5);
-  let back = fract(0.5 * nearest) > 0.0;
-  let phi = cosineAndSine((halfTurns - nearest) * pi) * select(1.0, -1.0, back);
-  let sine = max(theta.y, 1e-9);
-  let direction = vec3f(sine * phi.y, select(theta.x, -theta.x, isLower), -sine * phi.x);
-  return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
-}
-
-fn chooseCell(u: vec2f) -> ChosenCell {
-  let size = vec2u(frame.environmentSize);
-  let digits = vec2u(u * 16777216.0);
-  // Further digits, hashed: shares in a table may be small.
-  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
-  let columns = (size.x + 1u) / 2u;
-  let tables = size.x * size.y;
-  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
-  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
-  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
-}
-
-fn environmentCorners(cell: vec2u) -> Corners {
-  let size = vec2u(frame.environmentSize);
-  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
-  let right = select(cell.x, 0u, cell.x == size.x);
-  let upper = max(cell.y, 1u) - 1u;
-  let lower = min(cell.y, size.y - 1u);
-  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
-  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
-}
-
-// Where in [0, 1] a number of a density that goes from a to b in a line lies.
-fn linearSample(u: f32, a: f32, b: f32) -> f32 {
-  let ends = vec2f(a, b) / max(a + b, 1e-37);
-  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
-}
-
-fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
-  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
-}
-
-// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
-// beyond it; then by halves.
-fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
-  let pairs = (t.entries + 1u) / 2u;
-  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
-  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
-  let guide = fetchEntries(t, part / 2u);
-  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
-  var high = pairs;
-  var ends = vec2f(1.0);
-  var step = 0u;
-  loop {
-    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
-    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
-    let found = beyond.y > 0.0;
-    ends = select(ends, beyond, found);
-    high = select(high, next, found);
-    low = select(next + 1u, low, found);
-    step = 2u * step + 1u;
-    if (low >= high) {
-      break;
-    }
-  }
-  let pair = min(high, pairs - 1u);
-  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
-  let none = -(f32(digits) + f32(fine) * 0.000244140625);
-  let isFirst = ends.x > 0.0;
-  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
-  let end = select(ends.y, ends.x, isFirst);
-  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
-}
-
-// packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
-struct Table {
-  first: u32,
-  entries: u32,
-}
-
-
-// The cell, and where in it.
-struct ChosenCell {
-  cell: vec2u,
-  rest: vec2f,
-}
-
-
-fn fetchEntries(t: Table, pair: u32) -> vec4f {
-  let width = u32(frame.environmentSize.x);
-  let i = t.first + pair;
-  let row = i / width;
-  return environmentTexel(i - row * width, row);
-}
-
-// The entry that was chosen, and where in its share the number lies, in [0, 1].
-struct Choice {
-  entry: u32,
-  rest: f32,
-}
-
-
-// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
-fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
-  let further = vec2u(pair.yw) & vec2u(4095u);
-  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
-}
-
-fn environmentTexel(column: u32, row: u32) -> vec4f {
-  let place = vec2f(f32(i32(column)), f32(i32(row))) + 0.5;
-  return textureSampleLevel(environment, nearest, place / vec2f(textureDimensions(environment)), 0.0);
-}
-
-// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
-@group(0) @binding(4) var environment: texture_2d<f32>;
-
-// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
-// the upper pole, j = rows that at the lower.
-struct Corners {
-  a: vec4f,
-  b: vec4f,
-  c: vec4f,
-  d: vec4f,
-}
-
-
-struct EnvironmentLight {
-  radiance: vec3f,
-  // Per solid angle.
-  pdf: f32,
-}
-
 
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
@@ -3257,8 +2184,8 @@ fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
   return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
 }
 
-fn coverTowards(wi: vec3f, crossing: bool) -> Cover0 {
-  var cover = Cover0(1.0, vec4f(0.0));
+fn coverTowards(wi: vec3f, crossing: bool) -> Cover {
+  var cover = Cover(1.0, vec4f(0.0));
   if (hasCoats) {
     let ofWi = coatReflectance(layersHere.coat, coatCosine(stackHere.side, wi));
     cover.left = 1.0 - select(stackHere.coat, ofWi, stackHere.inside & crossing);
@@ -3284,7 +2211,7 @@ const invPi = 0.31830988618;
 
 // What of the light from wi is left by coat and sheen, and what the sheen adds, as evaluateLayers gives it. Light that crosses a solid's
 // boundary meets both once, outside.
-struct Cover0 {
+struct Cover {
   left: f32,
   fibres: vec4f,
 }
@@ -3403,6 +2330,1149 @@ fn compensation(s: Surface, cosine: f32) -> vec3f {
   let albedo = singleScatteringAlbedo(cosine, s.alpha);
   return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
 }
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
+}
+
+// Light that the ray found by itself: of the surface that it met.
+fn metLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
+  let direction = p.rays.direction;
+  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
+  let own = emitterOf(s.code);
+  var found = select(s.emission, vec3f(0.0), hidden);
+  // A lamp beyond the number of emitters that light sampling knows counts whole.
+  if ((own >= 0) & (frame.emitterCount > 0u)) {
+    var i = u32(max(own, 0));
+    if (hasMeshLamps) {
+      if (hit.triangle.instance != noInstance) {
+        i += emitterOfTriangle(emitterAt(i, only), hit.triangle);
+      }
+    }
+    let met = emitterAt(i, only);
+    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
+    var probability = listedProbability(met, p.rays.point, p.litSide, p.odds);
+    if (hasLightTree) {
+      if (met.leaf >= 0.0) {
+        probability = treeProbability(met, p.rays.point, p.litSide, p.odds);
+      }
+    }
+    found *= select(misWeight(p.pdf, density * probability), 1.0, p.pdf <= 0.0);
+  }
+  return found;
+}
+
+fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
+  let g = nextGroups(*s);
+  (*s).key = (*s).key + 2u;
+  let x = firstOf(g);
+  let y = secondOf(g);
+  let z = thirdOf(g);
+  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  var hasTree = false;
+  if (hasLightTree) {
+    hasTree = frame.lightTreeDepth > 0u;
+  }
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= listed) {
+          break;
+        }
+      }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      if (hasLightTree) {
+        if (hasTree) {
+          let down = descend(point, normal, rest, noLeaf, total);
+          choice.odds.tree = down.share;
+          choice.index = select(chosen, down.emitter, down.taken);
+          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+        }
+      }
+    }
+  }
+  return choice;
+}
+
+// `only`: fetched before, when the program is for scenes with one.
+fn emitterAt(i: u32, only: Emitter) -> Emitter {
+  var emitter = only;
+  if (hasManyLights) {
+    emitter = fetchEmitter(i);
+  }
+  return emitter;
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
+  }
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
+  }
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      s = sampleMesh(e, point, u);
+    }
+  }
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
+  }
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
+  }
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
+  }
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
+}
+
+struct Emitter {
+  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
+  radius: f32,
+  // other edge of a quad; mean of the normals of a mesh, weighted by area
+  v: vec3f,
+  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+  // its place among the leaves of the light tree; -1: it is in none
+  leaf: f32,
+  // mesh: row of its first triangle among the tables of lamps
+  table: f32,
+  // mesh: how many
+  triangles: f32,
+  // mesh: of which instance
+  instance: f32,
+}
+
+
+// Index of the emitter that a shape is, from -1 for none.
+fn emitterOf(code: f32) -> i32 {
+  return (i32(code) >> 7u) - 1;
+}
+
+// Meshes that shine, and so many lights that a tree chooses among them.
+override hasMeshLamps = false;
+
+// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
+// outward normal; of a mesh, the triangle at that place.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  var pdf = 0.0;
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
+  }
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
+  }
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      pdf = meshPdf(e, direction, distance, normal, place);
+    }
+  }
+  return pdf;
+}
+
+// With which chooseEmitter would have chosen this one there, which is not in the tree.
+fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
+}
+
+override hasLightTree = false;
+
+// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
+fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
+  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
+}
+
+// The same of one that is in the tree.
+fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  var probability = 0.0;
+  if (frame.lightTreeDepth > 0u) {
+    let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+    probability = down.probability * down.share;
+  }
+  return probability;
+}
+
+// `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
+fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
+  var level = frame.lightTreeDepth;
+  var node = 0u;
+  var rest = u;
+  var choice = TreeChoice(0u, 1.0, 0.0, true);
+  loop {
+    level--;
+    let n = fetchLightNode(frame.lightTree + node);
+    let w = estimatesOfChildren(n, point, normal);
+    let two = w.x + w.y;
+    let three = two + w.z;
+    let total = three + w.w;
+    if (node == 0u) {
+      choice.share = shareOfTree(total, far);
+      choice.taken = rest < choice.share;
+      rest = min(rest / max(choice.share, 1e-37), 0.99999994);
+    }
+    let at = rest * total;
+    let byChance = u32(at >= w.x) + u32(at >= two) + u32(at >= three);
+    let child = select((u32(max(leaf, 0)) >> (2u * level)) & 3u, byChance, leaf < 0);
+    let low = child < 2u;
+    let odd = (child & 1u) == 1u;
+    let own = select(select(w.z, w.w, odd), select(w.x, w.y, odd), low);
+    let before = select(select(two, three, odd), select(0.0, w.x, odd), low);
+    choice.probability *= own / max(total, 1e-37);
+    choice.emitter = u32(select(select(n.emitters.z, n.emitters.w, odd), select(n.emitters.x, n.emitters.y, odd), low));
+    rest = clamp((at - before) / max(own, 1e-37), 0.0, 0.99999994);
+    node = 4u * node + 1u + child;
+    if (level == 0u) {
+      break;
+    }
+  }
+  return choice;
+}
+
+struct TreeChoice {
+  emitter: u32,
+  // Of this emitter, once it is to be one of the tree.
+  probability: f32,
+  // Probability of the tree, beside the lights that are infinitely far, and whether chance takes it.
+  share: f32,
+  taken: bool,
+}
+
+
+fn fetchLightNode(i: u32) -> LightNode {
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
+  let t7 = tableTexel(7u, i);
+  let t8 = tableTexel(8u, i);
+  let t9 = tableTexel(9u, i);
+  let t10 = tableTexel(10u, i);
+  let t11 = tableTexel(11u, i);
+  return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
+}
+
+// An estimate of each child's irradiance at the point; 0 where it can be none. A normal of zero: light comes through from both sides.
+fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
+  let x = n.x - point.x;
+  let y = n.y - point.y;
+  let z = n.z - point.z;
+  let distance2 = x * x + y * y + z * z;
+  let inverse = inverseSqrt(max(distance2, vec4f(1e-30)));
+  let inside = distance2 <= n.reach * n.reach;
+  // Half the angle that the sphere fills; all of it from inside.
+  let sinB = min(n.reach * inverse, vec4f(1.0));
+  let cosB = select(sineOf(sinB), vec4f(-1.0), inside);
+  let along = -(n.axisX * x + n.axisY * y + n.axisZ * z) * inverse;
+  let cosW = clamp(select(along, abs(along), n.bothSides > vec4f(0.5)), vec4f(-1.0), vec4f(1.0));
+  let sinW = sineOf(cosW);
+  let sinO = sineOf(n.cosWidth);
+  let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
+  let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
+  let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
+  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
+  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
+  let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
+  return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
+}
+
+// The estimate for the whole tree is rough; so neither side gets less than a quarter where there are both.
+fn shareOfTree(total: f32, far: f32) -> f32 {
+  let share = 0.25 + 0.5 * total / max(total + far, 1e-37);
+  return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
+}
+
+struct LightNode {
+  // of each child the centre of a sphere about its lights, eye-relative
+  x: vec4f,
+  // y
+  y: vec4f,
+  // z
+  z: vec4f,
+  // radius of the sphere
+  reach: vec4f,
+  // unit axis of the cone that holds all normals of the lights
+  axisX: vec4f,
+  // y
+  axisY: vec4f,
+  // z
+  axisZ: vec4f,
+  // cosine of that cone, from its axis
+  cosWidth: vec4f,
+  // cosine of the angle from a normal up to which there is light
+  cosEdge: vec4f,
+  // 1: also against the normals
+  bothSides: vec4f,
+  // sum of what Emitter has; 0: there is no such child
+  power: vec4f,
+  // in the lowest nodes: which emitter the child is
+  emitters: vec4f,
+}
+
+
+fn sineOf(cosine: vec4f) -> vec4f {
+  return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
+}
+
+// cos(max(a - b, 0)), of angles from 0 to pi.
+fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
+  return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
+}
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
+
+override hasQuadLights = false;
+
+override hasBoxLights = false;
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+const pi = 3.14159265359;
+
+const quadKind = 1.0;
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+const boxKind = 2.0;
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  let b = viewBox(e, point);
+  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let seen = abs(p) > e.u;
+  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
+  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face that is seen; at most one of the two.
+  faces: vec3f,
+  area: f32,
+  inside: bool,
+}
+
+
+const meshKind = 7.0;
+
+fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
+  return areaPdf(e.area, distance * abs(dot(direction, normal)), distance) * fetchLampTriangle(row).density;
+}
+
+fn fetchLampTriangle(row: u32) -> LampTriangle {
+  let r0 = geometryRow(row + 0u);
+  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
+}
+
+struct LampTriangle {
+  // alias table: probability to take this triangle and not the other one
+  own: f32,
+  // of this triangle, in the order of its mesh
+  place: u32,
+  // place of the other one
+  other: u32,
+  // how likely its points are: as a factor on 1 / area of the emitter
+  density: f32,
+}
+
+
+override hasManyLights = true;
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let cosine = cosineTowards(e, toLight, grown, normal);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasMeshLamps) {
+    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
+    let alike = length(e.v);
+    let across = -dot(e.v, toLight);
+    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
+    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
+    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
+    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasSuns = false;
+
+const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
+
+override hasPointLights = false;
+
+override hasSky = true;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
+
+// The next one and the one after that, neither of them taken yet.
+fn nextGroups(s: Sampler) -> Groups {
+  let a = mixBits2(s.key + vec2u(1u, 2u));
+  let half = (a ^ vec2u(s.salt)) * 0x9e3779b1u;
+  let b = half ^ (half >> vec2u(16u));
+  let place = scramble(vec2u(s.place), b);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = s.sample * ((place >> vec2u(7u)) & vec2u(0xfffffffeu));
+  let index = reversed(scramble(vec2u(s.sample) ^ own, a) & vec2u(0xffffu));
+  return Groups(index, shiftOfPlace(place & vec2u(0xffu)), (a >> vec2u(16u)) | (a * 65536u), (b >> vec2u(16u)) | (b * 65536u));
+}
+
+// The first number of either group, the second, and the third.
+fn firstOf(g: Groups) -> vec2f {
+  return toUnit(scramble(g.index ^ g.shift, g.seedA));
+}
+
+fn secondOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB));
+}
+
+fn thirdOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u)));
+}
+
+// Three numbers of each of the next two groups.
+struct TwoPoints {
+  first: vec3f,
+  second: vec3f,
+}
+
+
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: vec2u, seed: vec2u) -> vec2u {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> vec2u(16u)) | vec2u(1u));
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
+}
+
+fn reversed(x: vec2u) -> vec2u {
+  return reverseBits(x) >> vec2u(16u);
+}
+
+// Padded sequences, two side by side: what all dimensions of each have in common. In Windows' shader compiler one operation with two
+// numbers takes half the time of two operations; all others make the same of both.
+struct Groups {
+  // Shuffled sample index.
+  index: vec2u,
+  // What sets this pixel apart from its neighbours.
+  shift: vec2u,
+  seedA: vec2u,
+  seedB: vec2u,
+}
+
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: vec2u) -> vec2u {
+  var y = x ^ timesW((x >> vec2u(2u)) & vec2u(0x33u));
+  y ^= timesW2((y >> vec2u(4u)) & vec2u(0x0fu));
+  return timesW(y) | (y * 256u);
+}
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
+fn timesW(x: vec2u) -> vec2u {
+  return ((x ^ (x * 2u)) & vec2u(0xaaaau)) | ((x >> vec2u(1u)) & vec2u(0x5555u));
+}
+
+fn timesW2(x: vec2u) -> vec2u {
+  return ((x * 2u) & vec2u(0xaaaau)) | ((x ^ (x >> vec2u(1u))) & vec2u(0x5555u));
+}
+
+fn toUnit(scrambled: vec2u) -> vec2f {
+  return vec2f(((reverseBits(scrambled) >> vec2u(8u)) & vec2u(0xffff00u)) | (scrambled >> vec2u(24u))) * 5.9604644775390625e-8;
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: vec2u) -> vec2u {
+  var y = x ^ ((x >> vec2u(1u)) & vec2u(0x5555u));
+  y ^= (y >> vec2u(2u)) & vec2u(0x3333u);
+  y ^= (y >> vec2u(4u)) & vec2u(0x0f0fu);
+  return y ^ ((y >> vec2u(8u)) & vec2u(0x00ffu));
+}
+
+// The same with w^2 in place of w, of any eight digits.
+fn pascalW2(x: vec2u) -> vec2u {
+  var y = x ^ timesW2((x >> vec2u(2u)) & vec2u(0x3333u));
+  y ^= timesW((y >> vec2u(4u)) & vec2u(0x0f0fu));
+  return y ^ timesW2((y >> vec2u(8u)) & vec2u(0x00ffu));
+}
+
+struct EmitterChoice {
+  index: u32,
+  // 0: no light reaches the point.
+  probability: f32,
+  odds: Odds,
+}
+
+
+const noLeaf = -1;
+
+fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let view = viewSphere(e, point);
+  let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
+  let ray = sampleCone(axis, view.width, u);
+  let along = view.distance * ray.cosine;
+  let halfChord = sqrt(max(e.radius * e.radius - view.distance * view.distance * ray.sine2, 0.0));
+  // The product of the ray's two distances to the sphere is the point's power (Euclid III.36): the smaller of them by division.
+  let larger = abs(along) + halfChord;
+  let takeLarger = view.inside & (along > 0.0);
+  let distance = select(view.power / max(larger, 1e-30), larger, takeLarger);
+  return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
+}
+
+fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
+  let oneMinusCosine = u.x * width;
+  let cosine = 1.0 - oneMinusCosine;
+  let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
+  let sine = sqrt(max(sine2, 0.0));
+  let phi = 2.0 * pi * u.y;
+  // Some GPUs' sines are off by 1e-4; the direction keeps its length.
+  let turn = vec2f(cos(phi), sin(phi));
+  let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
+  return ConeDirection(direction, cosine, sine2);
+}
+
+// v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
+  let s = select(-1.0, 1.0, axis.z >= 0.0);
+  let a = -1.0 / (s + axis.z);
+  let b = axis.x * axis.y * a;
+  let x = vec3f(1.0 + s * axis.x * axis.x * a, s * b, -s * axis.x);
+  let y = vec3f(b, s + axis.y * axis.y * a, -axis.y);
+  return v.x * x + v.y * y + v.z * axis;
+}
+
+struct ConeDirection {
+  direction: vec3f,
+  cosine: f32,
+  sine2: f32,
+}
+
+
+fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let q = viewQuad(e, point);
+  let onArea = q.corner + u.x * e.u + u.y * e.v;
+  let toLight = select(onArea, sphericalRectangle(q, u), q.bySolidAngle);
+  let distance = max(length(toLight), q.height);
+  return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
+}
+
+// From the point to the rectangle, uniform in solid angle.
+fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
+  let h = q.height;
+  let y = vec2f(q.low.y, q.high.y);
+  let s = y / sqrt(y * y + h * h);
+  let halfT = cosineAndSine(0.5 * (q.start + u.x * q.solidAngle));
+  let across = vec2f(s.y - s.x, s.y + s.x) * halfT;
+  let w = 2.0 * halfT.x * halfT.y / max(length(across), 1e-15);
+  let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
+  // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
+  let d2 = x * x + h * h;
+  let ends = y * inverseSqrt(d2 + y * y);
+  let v = mix(ends.x, ends.y, u.y);
+  let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
+  return x * q.axisX + atY * q.axisY + h * q.axisZ;
+}
+
+// Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
+fn cosineAndSine(x: f32) -> vec2f {
+  let h = 0.5 * x;
+  let z = h * h;
+  let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
+  return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
+}
+
+fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let b = viewBox(e, point);
+  let onFaces = pointOnFaces(e, b, u);
+  let outwards = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  let distance = select(length(onFaces.xyz), max(boxSlabs(b.point, outwards, e.u).far, 0.0), b.inside);
+  let direction = select(onFaces.xyz / max(distance, 1e-30), outwards, b.inside);
+  let pdf = select(areaPdf(b.area, onFaces.w, distance), conePdf(2.0), b.inside);
+  return LightSample(rotateBack(b.rotation, direction), distance, e.radiance, pdf, false);
+}
+
+// From the point to a place on the faces that it sees, and its distance from the plane of that face.
+fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
+  let both = b.faces.x + b.faces.y;
+  let at = u.x * b.area;
+  let onX = at < b.faces.x;
+  let onY = !onX & (at < both);
+  let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
+  // What is left of u.x within the face.
+  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / max(face, 1e-30), 0.0, 1.0);
+  let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
+  let p = vec3f(select(-1.0, 1.0, dot(axis, b.point) >= 0.0), 2.0 * within - 1.0, 2.0 * u.y - 1.0);
+  let toLight = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u - b.point;
+  return vec4f(toLight, abs(dot(axis, toLight)));
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let chosen = chooseTriangle(e, u);
+  let instance = fetchInstance(frame.instances + u32(e.instance) * instanceRows);
+  let t = fetchTriangle(instance.triangles + chosen.place * triangleRows);
+  let weights = weightsOnTriangle(chosen.u);
+  let toLight = outOfMesh(instance, t.a + weights.x * (t.b - t.a) + weights.y * (t.c - t.a)) - point;
+  let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
+  let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
+  let distance = length(toLight);
+  let pdf = areaPdf(e.area, abs(height), distance) * chosen.density;
+  let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
+  // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
+  let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
+  var radiance = e.radiance;
+  if (hasVariedLamps) {
+    if (e.u.y > 0.0) {
+      let rows = instance.vertices + vec3u(t.vertexA, t.vertexB, t.vertexC) * instance.vertexRows;
+      let c = coverAt(rows, instance.vertexRows, weights);
+      radiance *= radianceShare(u32(fetchSurface(u32(e.shape)).textures), c, (instance.cover & coverRow) != 0u);
+    }
+  }
+  return LightSample(toLight / max(distance, 1e-30), reached, radiance, select(0.0, pdf, lit), false);
+}
+
+fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
+  let first = frame.lampTables + u32(e.table);
+  let column = min(u32(u.x * e.triangles), u32(e.triangles) - 1u);
+  let entry = fetchLampTriangle(first + column);
+  // The digits that the choice of a column has used up are replaced by hashed ones.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * 5.9604644775390625e-8 * e.triangles;
+  let x = clamp(u.x * e.triangles - f32(column) + fine, 0.0, 0.99999994);
+  let own = x < entry.own;
+  let rest = select((x - entry.own) / max(1.0 - entry.own, 1e-7), x / max(entry.own, 1e-37), own);
+  let place = select(entry.other, entry.place, own);
+  let density = fetchLampTriangle(first + column + place - entry.place).density;
+  return ChosenTriangle(place, density, vec2f(min(rest, 1.0), u.y));
+}
+
+// How much the second and third vertex count at a uniform point: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+fn weightsOnTriangle(u: vec2f) -> vec2f {
+  let low = 0.5 * min(u.x, u.y);
+  let high = max(u.x, u.y) - low;
+  return select(vec2f(high, low), vec2f(low, high), u.x < u.y);
+}
+
+// From the space of the mesh to the eye-relative world: the inverse of what the instance has, by Cramer's rule.
+fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
+  let q = p - vec3f(i.toMeshX.w, i.toMeshY.w, i.toMeshZ.w);
+  let x = cross(i.toMeshY.xyz, i.toMeshZ.xyz);
+  let y = cross(i.toMeshZ.xyz, i.toMeshX.xyz);
+  let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
+  return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
+}
+
+// Such whose emission a texture varies, or that have holes.
+override hasVariedLamps = false;
+
+// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
+fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover0 {
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  var c = Cover0(vec4f(0.0), 1.0);
+  if (each != 0u) {
+    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (each > vertexRows) {
+    let more = rows + vertexRows;
+    let a = fetchVertexMore(more.x);
+    let b = fetchVertexMore(more.y);
+    let d = fetchVertexMore(more.z);
+    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
+    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
+  }
+  return c;
+}
+
+// Share of a lamp's radiance that there is at a point of it: by the texture of its emission, and, where `missing` says that it may not be there,
+// as often as it is. `row`: of its MaterialTextures; the use whose alpha is opacity comes first, and that of the emission next to it.
+fn radianceShare(row: u32, c: Cover0, missing: bool) -> vec3f {
+  let material = fetchMaterialTextures(row);
+  let hasFirst = (material.flags & hasOpacityTexture) != 0u;
+  let wanted = min(material.count, select(1u, 2u, hasFirst));
+  var share = vec3f(1.0);
+  var opacity = material.opacity * c.opacity;
+  var i = 0u;
+  if (wanted > 0u) {
+    loop {
+      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
+      let texel = lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u));
+      share *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
+      opacity *= select(1.0, texel.a, hasFirst & (i == 0u));
+      i++;
+      if (i >= wanted) {
+        break;
+      }
+    }
+  }
+  let there = select(select(0.0, 1.0, opacity >= material.cutoff), opacity, material.cutoff < 0.0);
+  return share * select(1.0, there, missing);
+}
+
+const coverRow = 2147483647u;
+
+// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
+struct Cover0 {
+  uv: vec4f,
+  opacity: f32,
+}
+
+
+const hasOpacityTexture = 2u;
+
+struct ChosenTriangle {
+  place: u32,
+  density: f32,
+  // Two random numbers that are left.
+  u: vec2f,
+}
+
+
+const pointKind = 3.0;
+
+fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
+  let toLight = e.position - point;
+  let distance = length(toLight);
+  let safe = max(distance, 1e-15);
+  return LightSample(toLight / safe, distance, e.radiance / (safe * safe), select(0.0, 1.0, distance > 1e-15), true);
+}
+
+fn sampleSpot(e: Emitter, point: vec3f) -> LightSample {
+  var s = samplePoint(e, point);
+  let falloff = spotFalloff(e, s.direction);
+  s.radiance *= falloff;
+  s.pdf = select(0.0, s.pdf, falloff > 0.0);
+  return s;
+}
+
+fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
+  let delta = e.area == 0.0;
+  let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
+  return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
+}
+
+fn sampleSky(u: vec2f) -> LightSample {
+  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white0);
+  if (hasEnvironment) {
+    s = sampleEnvironment(u);
+  }
+  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
+}
+
+struct EnvironmentSample {
+  direction: vec3f,
+  light: EnvironmentLight,
+}
+
+
+// Without a map: white, uniform in all directions.
+const white0 = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = false;
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
+  let size = frame.environmentSize;
+  let chosen = chooseCell(u);
+  let k = environmentCorners(chosen.cell);
+  let cell = vec2f(chosen.cell);
+  let atPole = vec2<bool>(cell.y == 0.0, cell.y == size.y);
+  let y = linearSample(chosen.rest.y, max(k.a.a + k.b.a, 0.0), max(k.c.a + k.d.a, 0.0));
+  let t = y * select(1.0, 0.5, any(atPole)) + select(0.0, 0.5, atPole.x);
+  let s = linearSample(chosen.rest.x, mix(k.a.a, k.c.a, t), mix(k.b.a, k.d.a, t));
+  let isLower = 2.0 * cell.y > size.y;
+  let fromPole = select(cell.y + (t - 0.5), size.y - cell.y + (0.5 - t), isLower);
+  let theta = cosineAndSine(fromPole * (pi / size.y));
+  let halfTurns = 2.0 * ((cell.x + (s - 0.5)) / size.x - frame.environmentTurn);
+  let nearest = floor(halfTurns + 0.5);
+  let back = fract(0.5 * nearest) > 0.0;
+  let phi = cosineAndSine((halfTurns - nearest) * pi) * select(1.0, -1.0, back);
+  let sine = max(theta.y, 1e-9);
+  let direction = vec3f(sine * phi.y, select(theta.x, -theta.x, isLower), -sine * phi.x);
+  return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
+}
+
+fn chooseCell(u: vec2f) -> ChosenCell {
+  let size = vec2u(frame.environmentSize);
+  let digits = vec2u(u * 16777216.0);
+  // Further digits, hashed: shares in a table may be small.
+  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
+  let columns = (size.x + 1u) / 2u;
+  let tables = size.x * size.y;
+  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
+  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
+  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
+}
+
+// Where in [0, 1] a number of a density that goes from a to b in a line lies.
+fn linearSample(u: f32, a: f32, b: f32) -> f32 {
+  let ends = vec2f(a, b) / max(a + b, 1e-37);
+  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
+}
+
+// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
+// beyond it; then by halves.
+fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
+  let pairs = (t.entries + 1u) / 2u;
+  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
+  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
+  let guide = fetchEntries(t, part / 2u);
+  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
+  var high = pairs;
+  var ends = vec2f(1.0);
+  var step = 0u;
+  loop {
+    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
+    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
+    let found = beyond.y > 0.0;
+    ends = select(ends, beyond, found);
+    high = select(high, next, found);
+    low = select(next + 1u, low, found);
+    step = 2u * step + 1u;
+    if (low >= high) {
+      break;
+    }
+  }
+  let pair = min(high, pairs - 1u);
+  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
+  let none = -(f32(digits) + f32(fine) * 0.000244140625);
+  let isFirst = ends.x > 0.0;
+  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
+  let end = select(ends.y, ends.x, isFirst);
+  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
+}
+
+// packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
+struct Table {
+  first: u32,
+  entries: u32,
+}
+
+
+// The cell, and where in it.
+struct ChosenCell {
+  cell: vec2u,
+  rest: vec2f,
+}
+
+
+fn fetchEntries(t: Table, pair: u32) -> vec4f {
+  let width = u32(frame.environmentSize.x);
+  let i = t.first + pair;
+  let row = i / width;
+  return environmentTexel(i - row * width, row);
+}
+
+// The entry that was chosen, and where in its share the number lies, in [0, 1].
+struct Choice {
+  entry: u32,
+  rest: f32,
+}
+
+
+// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
+fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
+  let further = vec2u(pair.yw) & vec2u(4095u);
+  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+}
+
+fn environmentTexel(column: u32, row: u32) -> vec4f {
+  let place = vec2f(f32(i32(column)), f32(i32(row))) + 0.5;
+  return textureSampleLevel(environment, nearest, place / vec2f(textureDimensions(environment)), 0.0);
+}
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
+}
+
+
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
+}
+
 
 const noTriangle = LeftTriangle(noInstance, 0u);
 
@@ -3903,11 +3973,6 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
   return u;
 }
 
-// A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
@@ -4063,6 +4128,8 @@ struct Frame {
   lampTables: u32,
   // column and row of the picture that the first texel of the film holds
   origin: vec2u,
+  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
+  relayRow: u32,
 }
 
 
@@ -4074,10 +4141,11 @@ fn addSkyAndSuns(p: ptr<function, Path>) {
   loop {
     let e = fetchEmitter(i);
     let far = farLight(e, direction, sky);
-    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    let pdf = far.pdf * farProbability(e, (*p).litSide, (*p).odds);
     found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
     i++;
-    if (!hasManyLights) {
+    // Only one of them is the sky.
+    if (!hasSuns | !hasManyLights) {
       break;
     }
     if (i >= frame.farEmitters) {
@@ -4112,6 +4180,25 @@ fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
   return far;
 }
 
+// The same of one that is infinitely far.
+fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var estimate = e.power;
+      if (hasSuns) {
+        let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
+        estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
+      }
+      probability = estimate / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
+}
+
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
 // before the sky and add to it.
 struct FarLight {
@@ -4132,7 +4219,7 @@ fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
 
 // What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
 fn skyLight(direction: vec3f) -> EnvironmentLight {
-  var light = white;
+  var light = white0;
   if (hasEnvironment) {
     light = lookUpEnvironment(direction);
   }
