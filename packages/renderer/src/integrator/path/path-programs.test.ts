@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import type { Device, Pass } from '../../gpu/device.ts';
+import { type Device, DeviceError, type Pass } from '../../gpu/device.ts';
 import { COMMON_FEATURES, FEATURES, type Feature, PLAIN_MODEL_FEATURES } from '../../shading/features.ts';
 import { isRelay } from './path.ts';
 import { PathPrograms, type ProgramPlan } from './path-programs.ts';
@@ -44,6 +44,17 @@ test('the first scene of such a page comes before the programs of others', async
   for (let i = 0; i < 3; i++) await compileNext();
   // The scene's, whole; the common one, which is short; the one of all shapes, and whole.
   expect(passes).toEqual([...RELAY, 'path', 'path', ...RELAY, 'path']);
+});
+
+test('a driver that refuses a pass of several gets the whole program', async () => {
+  const { device, passes, compileNext } = slowDevice(true);
+  Object.assign(device.relay!, { createPass: () => Promise.reject(new DeviceError('Too many outputs.')) });
+  const programs = new PathPrograms(device, 'three');
+  const ready = programs.ready(model);
+  await compileNext();
+  await ready;
+  expect(passes).toEqual(['path']);
+  expect(isRelay(programs.get(model)!)).toBe(false);
 });
 
 const whole: readonly [string, boolean, ProgramPlan, Iterable<Feature>][] = [

@@ -7,7 +7,7 @@
  *
  * Where the driver's compiler takes seconds over a long program, a page draws by one of several passes (path-relay.ts) until it is there.
  */
-import type { Device, Pass } from '../../gpu/device.ts';
+import { type Device, DeviceError, type Pass } from '../../gpu/device.ts';
 import {
   COMMON_FEATURES,
   drawsModels,
@@ -90,8 +90,13 @@ export class PathPrograms {
     const { relay } = this.#device;
     const isLong = !SHORT.some((short) => covers(short, features));
     const wanted = this.#plan === 'relay' || (this.#plan === 'three' && relay?.pays && isLong);
-    if (!relay || !wanted) return createPathPass(this.#device, features);
-    return (await import('./path-relay.ts')).createPathRelay(this.#device, relay, features);
+    const whole = () => createPathPass(this.#device, features);
+    if (!relay || !wanted) return whole();
+    const { createPathRelay } = await import('./path-relay.ts');
+    return createPathRelay(this.#device, relay, features).catch((error: unknown) => {
+      if (error instanceof DeviceError && this.#plan === 'three') return whole();
+      throw error;
+    });
   }
 
   #take(features: Features, pass: Pass): void {
