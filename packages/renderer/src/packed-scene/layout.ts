@@ -46,11 +46,22 @@ export const STRUCTS = {
     center: field('vec3f', 'eye-relative'),
     radius: field('f32', 'of the ball'),
     ambient: field('vec3f', 'added everywhere'),
-    halo: field('f32', 'density of the haze times radiance times radius^2'),
+    spare0: field('f32', 'unused'),
     diffuse: field('vec3f', 'colour of the diffuse part'),
     power: field('f32', 'radiance times radius^2: w = power / distance^2'),
     specular: field('vec3f', 'colour of the highlight'),
-    visible: field('f32', 'radiance of the ball that is seen; negative: not seen'),
+    spare1: field('f32', 'unused'),
+  },
+  /** A light as the classic integrator's camera and mirrors see it. Begins as Bounds do, so that rays meet it as a sphere. */
+  Ball: {
+    center: field('vec3f', 'eye-relative'),
+    radius: field('f32', 'of the ball'),
+    diffuse: field('vec3f', 'colour of the diffuse part'),
+    halo: field('f32', 'density of the haze times radiance times radius^2'),
+    radiance: field('f32', 'of the ball'),
+    spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+    spare2: field('f32', 'unused'),
   },
   Surface: {
     baseColor: field(
@@ -232,7 +243,7 @@ export const STRUCTS = {
     dividers: field('vec2f', 'columns of the picture where the second and third panel begin'),
     shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
     occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
-    seenLightEnd: field('u32', 'index past the last light that camera and mirrors see'),
+    ballCount: field('u32', 'balls of lights that camera and mirrors see; their rows come after those of the shapes'),
     emitterCount: field('u32', 'emitters of the path integrator'),
     maxDepth: field('u32', 'path segments from the camera on; 0xffffffff: no limit'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
@@ -385,7 +396,7 @@ export const MATERIAL_FLAGS = { isUnlit: 1, hasOpacityTexture: 2 } as const;
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
 /** Structs that have rows of the scene table for themselves, after those. */
-const WHOLE_ROWS = ['LightNode', 'Layers'] as const;
+const WHOLE_ROWS = ['Ball', 'LightNode', 'Layers'] as const;
 export type TableStruct = (typeof TABLE_STRUCTS)[number] | (typeof WHOLE_ROWS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */

@@ -103,7 +103,7 @@ export function packFrame(
     dividers: [dividers[0] * picture.width, dividers[1] * picture.width],
     shapeEnds: packed.shapeEnds,
     occluderEnd: packed.occluderEnd,
-    seenLightEnd: packed.seenLightEnd,
+    ballCount: packed.ballCount,
     emitterCount: packed.emitterCount,
     farEmitters: packed.farEmitters,
     lightTree: packed.lightTree,

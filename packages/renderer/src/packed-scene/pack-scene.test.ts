@@ -138,10 +138,10 @@ describe('what is packed of a shape', () => {
     expect(numbers(packed, 0, 'Material', 'exponent', 1)[0]).toBeCloseTo(2 / 0.05 ** 4 - 2, 1);
     expect(numbers(packed, 1, 'Material', 'exponent', 1)[0]).toBe(0);
     expect(numbers(packed, 0, 'Light', 'power', 1)).toEqual([12]);
-    expect(numbers(packed, 0, 'Light', 'halo', 1)).toEqual([6]);
-    expect(numbers(packed, 0, 'Light', 'visible', 1)).toEqual([3]);
-    expect(numbers(packed, 1, 'Light', 'halo', 1)).toEqual([0]);
-    expect(numbers(packed, 1, 'Light', 'visible', 1)[0]).toBeLessThan(0);
+    expect([packed.lightCount, packed.ballCount, packed.rows], 'a row for the ball that is seen').toEqual([2, 1, 3]);
+    expect(numbers(packed, 2, 'Bounds', 'radius', 1), 'where rays look for a sphere').toEqual([2]);
+    expect(numbers(packed, 2, 'Ball', 'halo', 1)).toEqual([6]);
+    expect(numbers(packed, 2, 'Ball', 'radiance', 1)).toEqual([3]);
   });
 });
 

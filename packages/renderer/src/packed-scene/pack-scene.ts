@@ -34,8 +34,8 @@ export interface PackedScene {
   /** Index past the last shape that may stand between a light and a point. */
   readonly occluderEnd: number;
   readonly lightCount: number;
-  /** Index past the last light that camera and mirrors see. */
-  readonly seenLightEnd: number;
+  /** Rows after those of the shapes that hold a light's ball. */
+  readonly ballCount: number;
   /** Rows that hold an emitter of the path integrator; the first ones of them are infinitely far. */
   readonly emitterCount: number;
   readonly farEmitters: number;
@@ -104,7 +104,8 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
-  const rows = Math.max(named.length, lights.length, leastRows) + moreRows;
+  const balls = lights.filter((light) => light.visible);
+  const rows = Math.max(named.length + balls.length, lights.length, leastRows) + moreRows;
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeRow(table, name, row, values);
@@ -129,6 +130,9 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   lights.forEach((light, row) => {
     put('Light', row, lightValues(light, eye));
   });
+  balls.forEach((light, k) => {
+    put('Ball', named.length + k, ballValues(light, eye));
+  });
   let end = 0;
   const shapeEnds = sorted.map((kind) => (end += kind.length)) as [number, number, number, number];
   const occluderEnd = shapeEnds[2] + planes.filter(casts).length;
@@ -140,7 +144,7 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     occluderEnd,
     lightCount: lights.length,
     planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
-    seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
+    ballCount: balls.length,
     emitterCount: 0,
     farEmitters: 0,
     lightTree: rows - moreRows,
@@ -268,15 +272,29 @@ function materialValues(m: Material): StructValues<'Material'> {
 }
 
 function lightValues(light: SphereLight, eye: Vec3): StructValues<'Light'> {
-  const power = light.radiance * light.radius ** 2;
   return {
     center: subtract(light.center, eye),
     radius: light.radius,
     ambient: light.ambient,
-    halo: light.visible ? light.halo * power : 0,
+    spare0: 0,
     diffuse: light.diffuse,
-    power,
+    power: powerOf(light),
     specular: light.specular,
-    visible: light.visible ? light.radiance : -1,
+    spare1: 0,
   };
 }
+
+function ballValues(light: SphereLight, eye: Vec3): StructValues<'Ball'> {
+  return {
+    center: subtract(light.center, eye),
+    radius: light.radius,
+    diffuse: light.diffuse,
+    halo: light.halo * powerOf(light),
+    radiance: light.radiance,
+    spare0: 0,
+    spare1: 0,
+    spare2: 0,
+  };
+}
+
+const powerOf = (light: SphereLight): number => light.radiance * light.radius ** 2;

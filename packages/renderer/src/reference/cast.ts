@@ -43,9 +43,18 @@ export function closestHit(scene: PreparedScene, ray: Ray): Closest {
     if (t < closest) {
       closest = t;
       shape = candidate;
+      light = null;
     }
   };
   for (const sphere of scene.spheres) consider(intersectSphere(sphere, ray), sphere);
+  for (const ball of scene.visibleLights) {
+    const t = intersectSphere(ball, ray);
+    if (t < closest) {
+      closest = t;
+      shape = null;
+      light = ball;
+    }
+  }
   for (const box of scene.boxes) consider(intersectBox(box, ray), box);
   for (const quad of scene.quads) consider(intersectQuad(quad, ray), quad);
   for (const plane of scene.planes) consider(intersectPlane(plane, ray), plane);
@@ -56,14 +65,7 @@ export function closestHit(scene: PreparedScene, ray: Ray): Closest {
     consider(hit.t, mesh);
     spot = hit;
   }
-  for (const ball of scene.visibleLights) {
-    const t = intersectSphere(ball, ray);
-    if (t < closest) {
-      closest = t;
-      light = ball;
-    }
-  }
-  return { t: closest, shape: light === null ? shape : null, light, spot };
+  return { t: closest, shape, light, spot };
 }
 
 /** `spot`: of a mesh, what `closestHit` says. */

@@ -76,9 +76,10 @@ test('of shapes and light balls the closest is hit; of equals the first in the o
     return [t, shape?.type, light?.center[2]];
   };
   expect(found(['quad', 'plane', 'second ball', 'box'], -3)).toEqual([2, 'sphere', undefined]);
-  expect(found(['quad', 'plane', 'box'], -3)).toEqual([2, 'box', undefined]);
-  expect(found(['quad', 'plane'], -3)).toEqual([2, 'quad', undefined]);
-  expect(found(['quad'], -3)).toEqual([2, 'quad', undefined]);
+  expect(found(['quad', 'plane', 'box'], -3)).toEqual([2, undefined, -3]);
+  expect(found(['quad', 'plane', 'box'], -4)).toEqual([2, 'box', undefined]);
+  expect(found(['quad', 'plane'], -4)).toEqual([2, 'quad', undefined]);
+  expect(found(['plane'], -4)).toEqual([2, 'plane', undefined]);
   expect(found(['quad', 'plane'], -2.5)).toEqual([1.5, undefined, -2.5]);
 });
 

@@ -27,7 +27,7 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
-    uint seenLightEnd;
+    uint ballCount;
     uint emitterCount;
     uint maxDepth;
     uvec4 panels[3];

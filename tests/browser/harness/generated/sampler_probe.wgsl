@@ -200,8 +200,8 @@ struct Frame {
   shapeEnds: vec4u,
   // index past the last shape that may stand between a light and a point
   occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
+  // balls of lights that camera and mirrors see; their rows come after those of the shapes
+  ballCount: u32,
   // emitters of the path integrator
   emitterCount: u32,
   // path segments from the camera on; 0xffffffff: no limit

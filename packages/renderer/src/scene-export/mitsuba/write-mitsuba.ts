@@ -60,7 +60,7 @@ export function planMitsuba(scene: Scene, options: MitsubaOptions = {}): ExportP
   });
   const lights = Object.entries(posed.lights).map(([key, light]) => writeLight(key, light, report));
   const file = sceneElement([
-    plugin('integrator', integratorFor(materials.all()), [integer('max_depth', posed.render.maxDepth)]),
+    integratorFor(materials.all(), posed.render.maxDepth),
     sensor(posed.camera, options),
     ...materials.all().map(({ bsdf }) => bsdf),
     ...content,
@@ -105,10 +105,16 @@ class Materials {
   }
 }
 
-/** Only paths that know media see light through what is cut out, and do not count it as a segment. */
-function integratorFor(materials: readonly WrittenMaterial[]): string {
-  if (materials.some(({ medium }) => medium !== undefined)) return 'volpathmis';
-  return materials.some(({ isCut }) => isCut) ? 'volpath' : 'path';
+/**
+ * Only paths that know media see light through what is cut out, and do not count it as a segment. `volpathmis` loses light by Russian
+ * roulette, in 3.9.1 at least: of the two weights of its multiple importance sampling only one knows of the path's chance to go on, so that
+ * they add up to less than 1. It must not play.
+ */
+function integratorFor(materials: readonly WrittenMaterial[], maxDepth: number): Element {
+  const depth = integer('max_depth', maxDepth);
+  if (materials.some(({ medium }) => medium !== undefined))
+    return plugin('integrator', 'volpathmis', [depth, integer('rr_depth', maxDepth)]);
+  return plugin('integrator', materials.some(({ isCut }) => isCut) ? 'volpath' : 'path', [depth]);
 }
 
 /** What a shape has in it: its BSDF, what is inside of it, and its light. */

@@ -41,7 +41,7 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
-    uint seenLightEnd;
+    uint ballCount;
     uint emitterCount;
     uint maxDepth;
     uvec4 panels[3];
@@ -82,19 +82,15 @@ struct Slabs {
     float near;
     float far;
 };
-struct SeenLight {
-    float t;
-    vec3 ball;
-};
-struct Light {
+struct Ball {
     vec3 center;
     float radius;
-    vec3 ambient;
-    float halo;
     vec3 diffuse;
-    float power;
-    vec3 specular;
-    float visible;
+    float halo;
+    float radiance;
+    float spare0_;
+    float spare1_;
+    float spare2_;
 };
 struct Material {
     vec3 baseColor;
@@ -108,6 +104,16 @@ struct SurfacePoint {
     Start start;
     vec3 normal;
     vec3 view;
+};
+struct Light {
+    vec3 center;
+    float radius;
+    vec3 ambient;
+    float spare0_;
+    vec3 diffuse;
+    float power;
+    vec3 specular;
+    float spare1_;
 };
 struct LightSampler {
     uint count;
@@ -140,8 +146,8 @@ struct CameraRay {
     vec3 direction;
 };
 const uint noShape = 4294967295u;
-const uint boxMissed = 0u;
 const uint boxMet = 1u;
+const uint boxMissed = 0u;
 const uint boxHidesLight = 2u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
@@ -166,8 +172,8 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    float t_5 = pick((near > tMin), near, far);
-    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+    float t_3 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
@@ -196,8 +202,8 @@ bool isTurned(vec4 q) {
 }
 
 vec3 rotate(vec4 q_1, vec3 v) {
-    vec3 t_6 = (2.0 * cross(q_1.xyz, v));
-    return ((v + (q_1.w * t_6)) + cross(q_1.xyz, t_6));
+    vec3 t_4 = (2.0 * cross(q_1.xyz, v));
+    return ((v + (q_1.w * t_4)) + cross(q_1.xyz, t_4));
 }
 
 vec3 safeReciprocal(vec3 d, vec3 origin_1) {
@@ -216,8 +222,8 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
 
 float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
-    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
+    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
@@ -245,10 +251,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_3 = ((t_8 * direction_4) - toCenter_1);
+    float t_6 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_3 = ((t_6 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_3, reciprocalU)), abs(dot(p_3, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
+    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
 }
 
 float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
@@ -259,11 +265,11 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_7 = ((offset - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -271,154 +277,128 @@ float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
     return pick((i_5 == ray_3.start.leaves), 1e30, _e10);
 }
 
-Hit closestHit(Ray ray_4) {
+Hit closestHit(Ray ray_4, uint ballCount) {
     Hit hit_1 = Hit(1e30, 4294967295u);
+    uint k = 0u;
     uint i_6 = 0u;
     uvec4 ends = frame.shapeEnds;
-    uint _e10 = i_6;
-    if ((_e10 < ends.x)) {
+    uint roundCount = (ends.x + ballCount);
+    if ((roundCount > 0u)) {
         while(true) {
-            Hit _e13 = hit_1;
-            uint _e14 = i_6;
-            uint _e15 = i_6;
-            Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_4);
-            uint _e18 = i_6;
-            Hit _e19 = nearer(_e13, _e17, _e18);
-            hit_1 = _e19;
-            uint _e21 = i_6;
-            i_6 = (_e21 + 1u);
-            uint _e23 = i_6;
-            if ((_e23 >= ends.x)) {
+            uint _e15 = k;
+            uint _e16 = k;
+            uint _e21 = k;
+            uint i_19 = pick((_e21 >= ends.x), ((_e16 - ends.x) + ends.w), _e15);
+            Hit _e25 = hit_1;
+            Bounds _e26 = fetchBounds(i_19);
+            float _e27 = hitSphere(i_19, _e26, ray_4);
+            Hit _e28 = nearer(_e25, _e27, i_19);
+            hit_1 = _e28;
+            uint _e30 = k;
+            k = (_e30 + 1u);
+            uint _e32 = k;
+            if ((_e32 >= roundCount)) {
                 break;
             }
         }
     }
-    uint _e26 = i_6;
-    if ((_e26 < ends.y)) {
+    i_6 = ends.x;
+    uint _e36 = i_6;
+    if ((_e36 < ends.y)) {
         while(true) {
-            Hit _e29 = hit_1;
-            uint _e30 = i_6;
-            uint _e31 = i_6;
-            Bounds _e32 = fetchBounds(_e31);
-            float _e33 = hitBox(_e30, _e32, ray_4);
-            uint _e34 = i_6;
-            Hit _e35 = nearer(_e29, _e33, _e34);
-            hit_1 = _e35;
-            uint _e37 = i_6;
-            i_6 = (_e37 + 1u);
-            uint _e39 = i_6;
-            if ((_e39 >= ends.y)) {
-                break;
-            }
-        }
-    }
-    uint _e42 = i_6;
-    if ((_e42 < ends.z)) {
-        while(true) {
-            Hit _e45 = hit_1;
-            uint _e46 = i_6;
+            Hit _e39 = hit_1;
+            uint _e40 = i_6;
+            uint _e41 = i_6;
+            Bounds _e42 = fetchBounds(_e41);
+            float _e43 = hitBox(_e40, _e42, ray_4);
+            uint _e44 = i_6;
+            Hit _e45 = nearer(_e39, _e43, _e44);
+            hit_1 = _e45;
             uint _e47 = i_6;
-            Bounds _e48 = fetchBounds(_e47);
-            float _e49 = hitQuad(_e46, _e48, ray_4);
-            uint _e50 = i_6;
-            Hit _e51 = nearer(_e45, _e49, _e50);
-            hit_1 = _e51;
-            uint _e53 = i_6;
-            i_6 = (_e53 + 1u);
-            uint _e55 = i_6;
-            if ((_e55 >= ends.z)) {
+            i_6 = (_e47 + 1u);
+            uint _e49 = i_6;
+            if ((_e49 >= ends.y)) {
                 break;
             }
         }
     }
-    uint _e58 = i_6;
-    if ((_e58 < ends.w)) {
+    uint _e52 = i_6;
+    if ((_e52 < ends.z)) {
         while(true) {
-            Hit _e61 = hit_1;
-            uint _e62 = i_6;
+            Hit _e55 = hit_1;
+            uint _e56 = i_6;
+            uint _e57 = i_6;
+            Bounds _e58 = fetchBounds(_e57);
+            float _e59 = hitQuad(_e56, _e58, ray_4);
+            uint _e60 = i_6;
+            Hit _e61 = nearer(_e55, _e59, _e60);
+            hit_1 = _e61;
             uint _e63 = i_6;
-            Bounds _e64 = fetchBounds(_e63);
-            float _e65 = hitPlane(_e62, _e64, ray_4);
-            uint _e66 = i_6;
-            Hit _e67 = nearer(_e61, _e65, _e66);
-            hit_1 = _e67;
-            uint _e69 = i_6;
-            i_6 = (_e69 + 1u);
-            uint _e71 = i_6;
-            if ((_e71 >= ends.w)) {
+            i_6 = (_e63 + 1u);
+            uint _e65 = i_6;
+            if ((_e65 >= ends.z)) {
                 break;
             }
         }
     }
-    Hit _e74 = hit_1;
-    return _e74;
-}
-
-Light fetchLight(uint i_7) {
-    vec4 _e2 = tableTexel(5u, i_7);
-    vec4 _e4 = tableTexel(6u, i_7);
-    vec4 _e6 = tableTexel(7u, i_7);
-    vec4 _e8 = tableTexel(8u, i_7);
-    return Light(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w);
-}
-
-SeenLight closestBall(Ray ray_5, float t_1) {
-    SeenLight seen = SeenLight(0.0, vec3(0.0));
-    uint i_8 = 0u;
-    seen = SeenLight(t_1, vec3(0.0));
-    uint _e8 = frame.seenLightEnd;
-    if ((_e8 == 0u)) {
-        SeenLight _e11 = seen;
-        return _e11;
-    }
-    while(true) {
-        uint _e14 = i_8;
-        Light _e15 = fetchLight(_e14);
-        float _e24 = intersectSphere(ray_5.start.point, ray_5.direction, _e15.center, _e15.radius, ray_5.start.tMin, false);
-        float _e29 = seen.t;
-        if (pick((_e15.visible >= 0.0), (_e24 < _e29), false)) {
-            seen = SeenLight(_e24, (_e15.visible * _e15.diffuse));
-        }
-        uint _e37 = i_8;
-        i_8 = (_e37 + 1u);
-        uint _e39 = i_8;
-        uint _e42 = frame.seenLightEnd;
-        if ((_e39 >= _e42)) {
-            break;
+    uint _e68 = i_6;
+    if ((_e68 < ends.w)) {
+        while(true) {
+            Hit _e71 = hit_1;
+            uint _e72 = i_6;
+            uint _e73 = i_6;
+            Bounds _e74 = fetchBounds(_e73);
+            float _e75 = hitPlane(_e72, _e74, ray_4);
+            uint _e76 = i_6;
+            Hit _e77 = nearer(_e71, _e75, _e76);
+            hit_1 = _e77;
+            uint _e79 = i_6;
+            i_6 = (_e79 + 1u);
+            uint _e81 = i_6;
+            if ((_e81 >= ends.w)) {
+                break;
+            }
         }
     }
-    SeenLight _e44 = seen;
-    return _e44;
+    Hit _e84 = hit_1;
+    return _e84;
 }
 
-vec3 halo(Ray ray_6, float t_2) {
+Ball fetchBall(uint i_7) {
+    vec4 _e2 = tableTexel(0u, i_7);
+    vec4 _e4 = tableTexel(1u, i_7);
+    vec4 _e6 = tableTexel(2u, i_7);
+    return Ball(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.x, _e6.y, _e6.z, _e6.w);
+}
+
+vec3 halo(Ray ray_5, float t_1) {
     vec3 sum_1 = vec3(0.0);
-    uint i_9 = 0u;
-    uint _e7 = frame.seenLightEnd;
+    uint i_8 = 0u;
+    uint _e7 = frame.ballCount;
     if ((_e7 == 0u)) {
         vec3 _e10 = sum_1;
         return _e10;
     }
     while(true) {
-        uint _e13 = i_9;
-        Light _e14 = fetchLight(_e13);
-        vec3 toLight_1 = (_e14.center - ray_6.start.point);
-        float along_1 = dot(toLight_1, ray_6.direction);
-        vec3 across_1 = (toLight_1 - (along_1 * ray_6.direction));
-        float b = max(length(across_1), _e14.radius);
-        vec3 _e27 = sum_1;
-        sum_1 = (_e27 + ((max(_e14.halo, 0.0) * _e14.diffuse) * ((atan(((min(t_2, 100000.0) - along_1) / b)) + atan((along_1 / b))) / b)));
-        uint _e45 = i_9;
-        i_9 = (_e45 + 1u);
-        uint _e47 = i_9;
-        uint _e50 = frame.seenLightEnd;
-        if ((_e47 >= _e50)) {
+        uint _e16 = frame.shapeEnds.w;
+        uint _e17 = i_8;
+        Ball _e19 = fetchBall((_e16 + _e17));
+        vec3 toLight_1 = (_e19.center - ray_5.start.point);
+        float along_1 = dot(toLight_1, ray_5.direction);
+        vec3 across_1 = (toLight_1 - (along_1 * ray_5.direction));
+        float b = max(length(across_1), _e19.radius);
+        vec3 _e32 = sum_1;
+        sum_1 = (_e32 + ((_e19.halo * _e19.diffuse) * ((atan(((min(t_1, 100000.0) - along_1) / b)) + atan((along_1 / b))) / b)));
+        uint _e48 = i_8;
+        i_8 = (_e48 + 1u);
+        uint _e50 = i_8;
+        uint _e53 = frame.ballCount;
+        if ((_e50 >= _e53)) {
             break;
         }
     }
-    vec3 _e52 = sum_1;
-    return _e52;
+    vec3 _e55 = sum_1;
+    return _e55;
 }
 
 vec3 sky(vec3 direction_6) {
@@ -427,30 +407,35 @@ vec3 sky(vec3 direction_6) {
     return mix(_e3, _e6, max(direction_6.y, 0.0));
 }
 
-bool isSphere(uint i_10) {
-    uint _e4 = frame.shapeEnds.x;
-    return (i_10 < _e4);
+vec3 ballRadiance(uint row_1) {
+    Ball _e1 = fetchBall(row_1);
+    return (_e1.radiance * _e1.diffuse);
 }
 
-bool isPlane(uint i_11) {
+bool isSphere(uint i_9) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_9 < _e4);
+}
+
+bool isPlane(uint i_10) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_11 >= _e4), (i_11 < _e9), false);
+    return pick((i_10 >= _e4), (i_10 < _e9), false);
 }
 
-bool isFlat(uint i_12) {
+bool isFlat(uint i_11) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_12 >= _e4);
+    return (i_11 >= _e4);
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
     Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
+    float t_8 = pick(entering, _e5.near, _e5.far);
     vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    bool onX = (crossed.x == t_8);
+    bool onY = pick(!(onX), (crossed.y == t_8), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -459,26 +444,26 @@ vec3 rotateBack(vec4 q_2, vec3 v_1) {
     return _e6;
 }
 
-vec3 outwardNormal(uint i_13, Ray ray_7, float t_3) {
-    Bounds _e3 = fetchBounds(i_13);
-    vec3 origin_9 = (ray_7.start.point - _e3.center);
-    bool _e8 = isSphere(i_13);
+vec3 outwardNormal(uint i_12, Ray ray_6, float t_2) {
+    Bounds _e3 = fetchBounds(i_12);
+    vec3 origin_9 = (ray_6.start.point - _e3.center);
+    bool _e8 = isSphere(i_12);
     if (_e8) {
-        return normalize((origin_9 + (t_3 * ray_7.direction)));
+        return normalize((origin_9 + (t_2 * ray_6.direction)));
     }
-    bool _e13 = isPlane(i_13);
+    bool _e13 = isPlane(i_12);
     if (_e13) {
         return _e3.center;
     }
-    Extent _e15 = fetchExtent(i_13);
-    bool _e16 = isFlat(i_13);
+    Extent _e15 = fetchExtent(i_12);
+    bool _e16 = isFlat(i_12);
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside = (i_13 == ray_7.start.inside);
+    bool inside = (i_12 == ray_6.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_9);
-    vec3 _e30 = rotate(_e15.a, ray_7.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
+    vec3 _e30 = rotate(_e15.a, ray_6.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
@@ -487,10 +472,18 @@ Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
     return Start(point, pick(seenFromInside, noShape, shape_1), pick(seenFromInside, shape_1, noShape), (1e-5 * length(point)));
 }
 
-Material fetchMaterial(uint i_14) {
-    vec4 _e2 = tableTexel(3u, i_14);
-    vec4 _e4 = tableTexel(4u, i_14);
+Material fetchMaterial(uint i_13) {
+    vec4 _e2 = tableTexel(3u, i_13);
+    vec4 _e4 = tableTexel(4u, i_13);
     return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
+}
+
+Light fetchLight(uint i_14) {
+    vec4 _e2 = tableTexel(5u, i_14);
+    vec4 _e4 = tableTexel(6u, i_14);
+    vec4 _e6 = tableTexel(7u, i_14);
+    vec4 _e8 = tableTexel(8u, i_14);
+    return Light(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w);
 }
 
 uint pcg(uint x) {
@@ -511,8 +504,8 @@ LightSampler lightSampler(uint count, uint pixelHash, uint light, uint reflectio
     return LightSampler(count, vec2(_e9, _e11));
 }
 
-vec2 firstTurn(LightSampler s, uint k) {
-    float phi = (6.2831855 * fract(((float(k) * 0.618034) + s.shift.y)));
+vec2 firstTurn(LightSampler s, uint k_1) {
+    float phi = (6.2831855 * fract(((float(k_1) * 0.618034) + s.shift.y)));
     return vec2(cos(phi), sin(phi));
 }
 
@@ -597,17 +590,17 @@ bool ballHidesLight(ShadowCone cone_4, BallPlace ball_1, float radius_3) {
     return (min(min(covers, (ball_1.along - radius_3)), ((cone_4.start - ball_1.along) - radius_3)) > 0.0);
 }
 
-vec3 samplePoint(LightSampler s_1, uint k_1, vec2 turn) {
-    float i_20 = float(k_1);
-    float row_1 = floor(((i_20 + 0.5) * 0.33333334));
-    vec3 fixed9_ = vec3(((0.5 * (i_20 - (3.0 * row_1))) - 0.5), 0.0, ((0.5 * row_1) - 0.5));
-    float z = (1.0 - ((2.0 * (i_20 + s_1.shift.x)) / float(s_1.count)));
-    vec3 lattice = vec3((sqrt(max((1.0 - (z * z)), 0.0)) * turn), z);
+vec3 samplePoint(LightSampler s_1, uint k_2, vec2 turn) {
+    float i_20 = float(k_2);
+    float row_2 = floor(((i_20 + 0.5) * 0.33333334));
+    vec3 fixed9_ = vec3(((0.5 * (i_20 - (3.0 * row_2))) - 0.5), 0.0, ((0.5 * row_2) - 0.5));
+    float z_1 = (1.0 - ((2.0 * (i_20 + s_1.shift.x)) / float(s_1.count)));
+    vec3 lattice = vec3((sqrt(max((1.0 - (z_1 * z_1)), 0.0)) * turn), z_1);
     return pick((s_1.count == 1u), vec3(0.0), pick((s_1.count == 9u), fixed9_, lattice));
 }
 
-vec3 toSample(SampleGroup group_2, uint k_2, vec2 turn_1) {
-    vec3 _e8 = samplePoint(group_2.points, (group_2.first + k_2), turn_1);
+vec3 toSample(SampleGroup group_2, uint k_3, vec2 turn_1) {
+    vec3 _e8 = samplePoint(group_2.points, (group_2.first + k_3), turn_1);
     return ((group_2.center + (group_2.radius * _e8)) - group_2.start.point);
 }
 
@@ -618,7 +611,7 @@ vec2 nextTurn(vec2 turn_2) {
 uint behindSphere(SampleGroup group_3, uint i_16, ShadowCone cone_5) {
     uint bits_1 = 0u;
     vec2 turn_3 = vec2(0.0);
-    uint k_3 = 0u;
+    uint k_4 = 0u;
     Bounds _e3 = fetchBounds(i_16);
     BallPlace _e5 = placeBall(cone_5, _e3.center);
     bool _e7 = ballHidesLight(cone_5, _e5, _e3.radius);
@@ -629,7 +622,7 @@ uint behindSphere(SampleGroup group_3, uint i_16, ShadowCone cone_5) {
     }
     turn_3 = group_3.turn;
     while(true) {
-        uint _e19 = k_3;
+        uint _e19 = k_4;
         vec2 _e20 = turn_3;
         vec3 _e21 = toSample(group_3, _e19, _e20);
         vec2 _e22 = turn_3;
@@ -638,57 +631,17 @@ uint behindSphere(SampleGroup group_3, uint i_16, ShadowCone cone_5) {
         float inverse_ = inversesqrt(dot(_e21, _e21));
         uint _e26 = bits_1;
         float _e32 = hitSphere(i_16, _e3, Ray(group_3.start, (_e21 * inverse_)));
-        uint _e37 = k_3;
+        uint _e37 = k_4;
         bits_1 = (_e26 | (pick(((_e32 * inverse_) < 1.0), 1u, 0u) << _e37));
-        uint _e41 = k_3;
-        k_3 = (_e41 + 1u);
-        uint _e43 = k_3;
+        uint _e41 = k_4;
+        k_4 = (_e41 + 1u);
+        uint _e43 = k_4;
         if ((_e43 >= group_3.count)) {
             break;
         }
     }
     uint _e46 = bits_1;
     return _e46;
-}
-
-uint behindFlat(SampleGroup group_4, uint i_17) {
-    uint bits_2 = 0u;
-    vec2 turn_4 = vec2(0.0);
-    uint k_4 = 0u;
-    float t_4 = 0.0;
-    Bounds _e2 = fetchBounds(i_17);
-    bool _e3 = isPlane(i_17);
-    turn_4 = group_4.turn;
-    while(true) {
-        uint _e10 = k_4;
-        vec2 _e11 = turn_4;
-        vec3 _e12 = toSample(group_4, _e10, _e11);
-        vec2 _e13 = turn_4;
-        vec2 _e14 = nextTurn(_e13);
-        turn_4 = _e14;
-        float inverse_1 = inversesqrt(dot(_e12, _e12));
-        Ray ray_10 = Ray(group_4.start, (_e12 * inverse_1));
-        t_4 = 1e30;
-        if (_e3) {
-            float _e22 = hitPlane(i_17, _e2, ray_10);
-            t_4 = _e22;
-        } else {
-            float _e23 = hitQuad(i_17, _e2, ray_10);
-            t_4 = _e23;
-        }
-        uint _e24 = bits_2;
-        uint _e27 = k_4;
-        float _e29 = t_4;
-        bits_2 = (_e24 | pick(((_e29 * inverse_1) < 1.0), (1u << _e27), 0u));
-        uint _e36 = k_4;
-        k_4 = (_e36 + 1u);
-        uint _e38 = k_4;
-        if ((_e38 >= group_4.count)) {
-            break;
-        }
-    }
-    uint _e41 = bits_2;
-    return _e41;
 }
 
 float max3_(vec3 v_2) {
@@ -720,71 +673,107 @@ uint placeBox(ShadowCone cone_6, vec3 apex_1, vec3 axis, vec3 halfSize_3, float 
     return pick(pick(met, true, (cone_6.tangent == 1e30)), pick(hides_1, boxHidesLight, boxMet), boxMissed);
 }
 
-uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
+uint behindFaces(SampleGroup group_4, uint i_17, ShadowCone cone_7) {
+    vec3 x_1 = vec3(0.0);
+    vec3 y = vec3(0.0);
+    vec3 z = vec3(0.0);
+    vec3 halfSize_4 = vec3(0.0);
     vec3 origin_8 = vec3(0.0);
-    vec3 axis_1 = vec3(0.0);
-    uint bits_3 = 0u;
-    vec2 turn_5 = vec2(0.0);
+    float tMin_5 = 0.0;
+    uint meets = boxMet;
+    uint bits_2 = 0u;
+    vec2 turn_4 = vec2(0.0);
     uint k_5 = 0u;
-    vec3 direction_8 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_18);
-    Extent _e4 = fetchExtent(i_18);
-    bool _e6 = isTurned(_e4.a);
-    origin_8 = (group_5.start.point - _e3.center);
-    axis_1 = cone_7.axis;
-    vec3 _e15 = origin_8;
-    vec3 _e16 = axis_1;
-    float end_3 = (_e3.radius - dot(_e15, _e16));
-    if (_e6) {
-        vec3 _e20 = origin_8;
-        vec3 _e21 = rotate(_e4.a, _e20);
-        origin_8 = _e21;
-        vec3 _e23 = axis_1;
-        vec3 _e24 = rotate(_e4.a, _e23);
-        axis_1 = _e24;
+    Bounds _e3 = fetchBounds(i_17);
+    Extent _e4 = fetchExtent(i_17);
+    vec3 fromCenter = (group_4.start.point - _e3.center);
+    bool startsInside_3 = (i_17 == group_4.start.inside);
+    vec3 _e17 = rotateBack(_e4.a, vec3(1.0, 0.0, 0.0));
+    x_1 = _e17;
+    vec3 _e24 = rotateBack(_e4.a, vec3(0.0, 1.0, 0.0));
+    y = _e24;
+    vec3 _e31 = rotateBack(_e4.a, vec3(0.0, 0.0, 1.0));
+    z = _e31;
+    halfSize_4 = _e4.b.xyz;
+    bool _e36 = isFlat(i_17);
+    if (_e36) {
+        x_1 = _e4.a.xyz;
+        y = _e4.b.xyz;
+        vec3 _e41 = x_1;
+        vec3 _e42 = y;
+        z = normalize(cross(_e41, _e42));
+        halfSize_4 = vec3(vec2(0.500001), 0.0);
     }
-    bool startsInside_3 = (i_18 == group_5.start.inside);
-    vec3 _e28 = origin_8;
-    vec3 _e29 = axis_1;
-    uint _e32 = placeBox(cone_7, _e28, _e29, _e4.b.xyz, end_3);
-    uint meets = pick(startsInside_3, boxMet, _e32);
-    if ((meets != boxMet)) {
-        uint _e38 = everySample(group_5);
-        return pick((meets == boxHidesLight), _e38, 0u);
-    }
-    turn_5 = group_5.turn;
-    while(true) {
-        uint _e48 = k_5;
-        vec2 _e49 = turn_5;
-        vec3 _e50 = toSample(group_5, _e48, _e49);
-        vec2 _e51 = turn_5;
-        vec2 _e52 = nextTurn(_e51);
-        turn_5 = _e52;
-        float inverse_2 = inversesqrt(dot(_e50, _e50));
-        direction_8 = (_e50 * inverse_2);
-        if (_e6) {
-            vec3 _e58 = direction_8;
-            vec3 _e59 = rotate(_e4.a, _e58);
-            direction_8 = _e59;
+    vec3 _e49 = x_1;
+    vec3 _e51 = y;
+    vec3 _e53 = z;
+    origin_8 = vec3(dot(_e49, fromCenter), dot(_e51, fromCenter), dot(_e53, fromCenter));
+    tMin_5 = group_4.start.tMin;
+    bool _e60 = isPlane(i_17);
+    if (_e60) {
+        x_1 = vec3(0.0);
+        y = vec3(0.0);
+        z = pick((_e3.radius > 0.0), _e3.center, -(_e3.center));
+        halfSize_4 = vec3(1.0, 1.0, 0.0);
+        vec3 _e76 = z;
+        origin_8 = vec3(0.0, 0.0, (dot(_e76, group_4.start.point) - abs(_e3.radius)));
+        uint _e91 = frame.planesCutView;
+        if (pick((_e3.radius != 0.0), (_e91 == 0u), false)) {
+            float _e97 = origin_8.z;
+            origin_8.z = min(_e97, -1e-12);
+            tMin_5 = 0.0;
         }
-        vec3 _e60 = origin_8;
-        vec3 _e61 = direction_8;
-        float _e66 = intersectBox(_e60, _e61, _e4.b.xyz, group_5.start.tMin, startsInside_3);
-        uint _e67 = bits_3;
-        uint _e74 = k_5;
-        bits_3 = (_e67 | (pick(((_e66 * inverse_2) < 1.0), 1u, 0u) << _e74));
-        uint _e78 = k_5;
-        k_5 = (_e78 + 1u);
-        uint _e80 = k_5;
-        if ((_e80 >= group_5.count)) {
+    }
+    bool _e103 = isFlat(i_17);
+    if (!(pick(startsInside_3, true, _e103))) {
+        vec3 _e106 = x_1;
+        vec3 _e109 = y;
+        vec3 _e112 = z;
+        vec3 axis_1 = vec3(dot(_e106, cone_7.axis), dot(_e109, cone_7.axis), dot(_e112, cone_7.axis));
+        vec3 _e116 = origin_8;
+        vec3 _e117 = halfSize_4;
+        uint _e122 = placeBox(cone_7, _e116, axis_1, _e117, (_e3.radius - dot(fromCenter, cone_7.axis)));
+        meets = _e122;
+    }
+    uint _e123 = meets;
+    if ((_e123 != boxMet)) {
+        uint _e127 = everySample(group_4);
+        uint _e128 = meets;
+        return pick((_e128 == boxHidesLight), _e127, 0u);
+    }
+    turn_4 = group_4.turn;
+    while(true) {
+        uint _e138 = k_5;
+        vec2 _e139 = turn_4;
+        vec3 _e140 = toSample(group_4, _e138, _e139);
+        vec2 _e141 = turn_4;
+        vec2 _e142 = nextTurn(_e141);
+        turn_4 = _e142;
+        float inverse_1 = inversesqrt(dot(_e140, _e140));
+        vec3 toLight_3 = (_e140 * inverse_1);
+        vec3 _e146 = x_1;
+        vec3 _e148 = y;
+        vec3 _e150 = z;
+        vec3 direction_8 = vec3(dot(_e146, toLight_3), dot(_e148, toLight_3), dot(_e150, toLight_3));
+        vec3 _e153 = origin_8;
+        vec3 _e154 = halfSize_4;
+        float _e155 = tMin_5;
+        float _e156 = intersectBox(_e153, direction_8, _e154, _e155, startsInside_3);
+        uint _e157 = bits_2;
+        uint _e164 = k_5;
+        bits_2 = (_e157 | (pick(((_e156 * inverse_1) < 1.0), 1u, 0u) << _e164));
+        uint _e168 = k_5;
+        k_5 = (_e168 + 1u);
+        uint _e170 = k_5;
+        if ((_e170 >= group_4.count)) {
             break;
         }
     }
-    uint _e83 = bits_3;
-    return _e83;
+    uint _e173 = bits_2;
+    return _e173;
 }
 
-uint hiddenSamples(SampleGroup group_6) {
+uint hiddenSamples(SampleGroup group_5) {
     uint hidden = 0u;
     uint end_1 = 0u;
     uint rest = 0u;
@@ -793,13 +782,13 @@ uint hiddenSamples(SampleGroup group_6) {
         uint _e8 = hidden;
         return _e8;
     }
-    uint _e9 = everySample(group_6);
-    ShadowCone _e16 = shadowCone(group_6.start.point, group_6.center, group_6.radius, group_6.points.count);
+    uint _e9 = everySample(group_5);
+    ShadowCone _e16 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
     while(true) {
         uint _e21 = rest;
         if ((_e21 == 0u)) {
             uint _e24 = end_1;
-            uint _e25 = candidates(group_6, _e16, _e24);
+            uint _e25 = candidates(group_5, _e16, _e24);
             rest = _e25;
             uint _e26 = end_1;
             end_1 = (_e26 + 32u);
@@ -813,34 +802,27 @@ uint hiddenSamples(SampleGroup group_6) {
             bool _e38 = isSphere(i_21);
             if (_e38) {
                 uint _e39 = hidden;
-                uint _e40 = behindSphere(group_6, i_21, _e16);
+                uint _e40 = behindSphere(group_5, i_21, _e16);
                 hidden = (_e39 | _e40);
             } else {
-                bool _e42 = isFlat(i_21);
-                if (_e42) {
-                    uint _e43 = hidden;
-                    uint _e44 = behindFlat(group_6, i_21);
-                    hidden = (_e43 | _e44);
-                } else {
-                    uint _e46 = hidden;
-                    uint _e47 = behindBox(group_6, i_21, _e16);
-                    hidden = (_e46 | _e47);
-                }
+                uint _e42 = hidden;
+                uint _e43 = behindFaces(group_5, i_21, _e16);
+                hidden = (_e42 | _e43);
             }
-            uint _e49 = rest;
-            uint _e50 = rest;
-            rest = (_e49 & (_e50 - 1u));
+            uint _e45 = rest;
+            uint _e46 = rest;
+            rest = (_e45 & (_e46 - 1u));
         }
-        uint _e54 = rest;
-        uint _e57 = end_1;
-        uint _e60 = frame.occluderEnd;
-        uint _e63 = hidden;
-        if (pick(pick((_e54 == 0u), (_e57 >= _e60), false), true, (_e63 == _e9))) {
+        uint _e50 = rest;
+        uint _e53 = end_1;
+        uint _e56 = frame.occluderEnd;
+        uint _e59 = hidden;
+        if (pick(pick((_e50 == 0u), (_e53 >= _e56), false), true, (_e59 == _e9))) {
             break;
         }
     }
-    uint _e66 = hidden;
-    return _e66;
+    uint _e62 = hidden;
+    return _e62;
 }
 
 vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
@@ -860,29 +842,29 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     return (_e36 * (light_1.power / distance2_));
 }
 
-vec3 sampled(SurfacePoint p_1, Material m_1, Light light_2, SampleGroup group_7) {
+vec3 sampled(SurfacePoint p_1, Material m_1, Light light_2, SampleGroup group_6) {
     vec3 sum_2 = vec3(0.0);
-    vec2 turn_6 = vec2(0.0);
+    vec2 turn_5 = vec2(0.0);
     uint k_6 = 0u;
-    uint _e7 = hiddenSamples(group_7);
-    turn_6 = group_7.turn;
+    uint _e7 = hiddenSamples(group_6);
+    turn_5 = group_6.turn;
     while(true) {
         uint _e12 = k_6;
         if ((((_e7 >> _e12) & 1u) == 0u)) {
             vec3 _e18 = sum_2;
             uint _e19 = k_6;
-            vec2 _e20 = turn_6;
-            vec3 _e21 = toSample(group_7, _e19, _e20);
+            vec2 _e20 = turn_5;
+            vec3 _e21 = toSample(group_6, _e19, _e20);
             vec3 _e22 = sampleLight(p_1, m_1, light_2, _e21);
             sum_2 = (_e18 + _e22);
         }
-        vec2 _e24 = turn_6;
+        vec2 _e24 = turn_5;
         vec2 _e25 = nextTurn(_e24);
-        turn_6 = _e25;
+        turn_5 = _e25;
         uint _e27 = k_6;
         k_6 = (_e27 + 1u);
         uint _e29 = k_6;
-        if ((_e29 >= group_7.count)) {
+        if ((_e29 >= group_6.count)) {
             break;
         }
     }
@@ -892,7 +874,7 @@ vec3 sampled(SurfacePoint p_1, Material m_1, Light light_2, SampleGroup group_7)
 
 vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, uint sampleCount) {
     vec3 color = vec3(0.0);
-    uint i_19 = 0u;
+    uint i_18 = 0u;
     uint first = 0u;
     uint _e10 = frame.lightCount;
     if ((_e10 == 0u)) {
@@ -900,7 +882,7 @@ vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, 
         return _e13;
     }
     while(true) {
-        uint _e18 = i_19;
+        uint _e18 = i_18;
         Light _e19 = fetchLight(_e18);
         uint _e20 = first;
         if ((_e20 == 0u)) {
@@ -908,15 +890,15 @@ vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, 
             color = (_e23 + (_e19.ambient * m_2.baseColor));
         }
         if ((dot(p_2.normal, (_e19.center - p_2.start.point)) > -(_e19.radius))) {
-            uint _e37 = i_19;
+            uint _e37 = i_18;
             LightSampler _e38 = lightSampler(sampleCount, pixelHash_1, _e37, reflection_1);
             uint _e42 = first;
             uint _e44 = first;
             uint _e48 = first;
             vec2 _e49 = firstTurn(_e38, _e48);
-            SampleGroup group_8 = SampleGroup(p_2.start, _e19.center, _e19.radius, _e38, _e42, min((_e38.count - _e44), 32u), _e49);
+            SampleGroup group_7 = SampleGroup(p_2.start, _e19.center, _e19.radius, _e38, _e42, min((_e38.count - _e44), 32u), _e49);
             vec3 _e51 = color;
-            vec3 _e52 = sampled(p_2, m_2, _e19, group_8);
+            vec3 _e52 = sampled(p_2, m_2, _e19, group_7);
             color = (_e51 + (_e52 / vec3(float(_e38.count))));
         }
         uint _e58 = first;
@@ -924,10 +906,10 @@ vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, 
         uint _e61 = first;
         if ((_e61 >= sampleCount)) {
             first = 0u;
-            uint _e65 = i_19;
-            i_19 = (_e65 + 1u);
+            uint _e65 = i_18;
+            i_18 = (_e65 + 1u);
         }
-        uint _e67 = i_19;
+        uint _e67 = i_18;
         uint _e70 = frame.lightCount;
         if ((_e67 >= _e70)) {
             break;
@@ -938,85 +920,86 @@ vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, 
 }
 
 vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
-    Ray ray_8 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
+    Ray ray_7 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
+    vec3 seen = vec3(0.0);
     bool local = false;
-    ray_8 = first_1;
+    ray_7 = first_1;
     while(true) {
-        Ray _e12 = ray_8;
-        Hit _e13 = closestHit(_e12);
-        Ray _e14 = ray_8;
-        SeenLight _e16 = closestBall(_e14, _e13.t);
+        Ray _e12 = ray_7;
+        uint _e15 = frame.ballCount;
+        Hit _e16 = closestHit(_e12, _e15);
         vec3 _e17 = radiance;
         float _e18 = weight;
-        Ray _e19 = ray_8;
+        Ray _e19 = ray_7;
         vec3 _e21 = halo(_e19, _e16.t);
         radiance = (_e17 + (_e18 * _e21));
-        if ((_e16.t < _e13.t)) {
-            vec3 _e27 = radiance;
-            float _e28 = weight;
-            radiance = (_e27 + (_e28 * _e16.ball));
+        uint _e28 = frame.shapeEnds.w;
+        if ((_e16.shape >= _e28)) {
+            vec3 _e31 = ray_7.direction;
+            vec3 _e32 = sky(_e31);
+            seen = _e32;
+            if ((_e16.shape != noShape)) {
+                vec3 _e38 = ballRadiance(_e16.shape);
+                seen = _e38;
+            }
+            vec3 _e39 = radiance;
+            float _e40 = weight;
+            vec3 _e41 = seen;
+            radiance = (_e39 + (_e40 * _e41));
             break;
         }
-        if ((_e13.shape == noShape)) {
-            vec3 _e35 = radiance;
-            float _e36 = weight;
-            vec3 _e38 = ray_8.direction;
-            vec3 _e39 = sky(_e38);
-            radiance = (_e35 + (_e36 * _e39));
-            break;
-        }
-        vec3 _e44 = ray_8.start.point;
-        vec3 _e47 = ray_8.direction;
-        vec3 position = (_e44 + (_e13.t * _e47));
-        Ray _e51 = ray_8;
-        vec3 _e53 = outwardNormal(_e13.shape, _e51, _e13.t);
-        vec3 _e55 = ray_8.direction;
-        bool seenFromBack = (dot(_e53, _e55) > 0.0);
-        vec3 normal_3 = pick(seenFromBack, -(_e53), _e53);
+        vec3 _e46 = ray_7.start.point;
+        vec3 _e49 = ray_7.direction;
+        vec3 position = (_e46 + (_e16.t * _e49));
+        Ray _e53 = ray_7;
+        vec3 _e55 = outwardNormal(_e16.shape, _e53, _e16.t);
+        vec3 _e57 = ray_7.direction;
+        bool seenFromBack = (dot(_e55, _e57) > 0.0);
+        vec3 normal_3 = pick(seenFromBack, -(_e55), _e55);
         if (seenFromBack) {
-            bool _e65 = isFlat(_e13.shape);
-            local = !(_e65);
+            bool _e67 = isFlat(_e16.shape);
+            local = !(_e67);
         } else {
             local = false;
         }
-        bool _e68 = local;
-        Start _e69 = onSurface(position, _e13.shape, _e68);
-        Material _e71 = fetchMaterial(_e13.shape);
-        vec3 _e73 = ray_8.direction;
-        SurfacePoint point_2 = SurfacePoint(_e69, normal_3, -(_e73));
-        vec3 _e76 = radiance;
-        float _e77 = weight;
-        uint _e82 = reflection_2;
-        vec3 _e83 = shade(point_2, _e71, hash, _e82, lightSamples);
-        radiance = (_e76 + ((_e77 * (1.0 - _e71.reflectivity)) * _e83));
-        float _e86 = weight;
-        weight = (_e86 * _e71.reflectivity);
-        vec3 _e90 = ray_8.direction;
-        ray_8 = Ray(_e69, reflect(_e90, normal_3));
-        uint _e94 = reflection_2;
-        reflection_2 = (_e94 + 1u);
+        bool _e70 = local;
+        Start _e71 = onSurface(position, _e16.shape, _e70);
+        Material _e73 = fetchMaterial(_e16.shape);
+        vec3 _e75 = ray_7.direction;
+        SurfacePoint point_2 = SurfacePoint(_e71, normal_3, -(_e75));
+        vec3 _e78 = radiance;
+        float _e79 = weight;
+        uint _e84 = reflection_2;
+        vec3 _e85 = shade(point_2, _e73, hash, _e84, lightSamples);
+        radiance = (_e78 + ((_e79 * (1.0 - _e73.reflectivity)) * _e85));
+        float _e88 = weight;
+        weight = (_e88 * _e73.reflectivity);
+        vec3 _e92 = ray_7.direction;
+        ray_7 = Ray(_e71, reflect(_e92, normal_3));
         uint _e96 = reflection_2;
-        float _e98 = weight;
-        if (pick((_e96 > maxReflections), true, (_e98 < 0.00024414063))) {
+        reflection_2 = (_e96 + 1u);
+        uint _e98 = reflection_2;
+        float _e100 = weight;
+        if (pick((_e98 > maxReflections), true, (_e100 < 0.00024414063))) {
             break;
         }
     }
-    vec3 _e102 = radiance;
-    return _e102;
+    vec3 _e104 = radiance;
+    return _e104;
 }
 
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
-    CameraRay ray_9 = CameraRay(vec3(0.0), vec3(0.0));
+    CameraRay ray_8 = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_1 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_2 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
-    float y = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    float y_1 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_2 = ((x_1 * _e22) + (y * _e26));
+    vec3 across_2 = ((x_2 * _e22) + (y_1 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -1028,21 +1011,21 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     vec3 _e57 = frame.up;
     vec3 lens = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
     float _e66 = frame.focusDistance;
-    ray_9 = CameraRay(pick(orthographic, (across_2 + lens), lens), normalize((ahead - (lens / vec3(_e66)))));
+    ray_8 = CameraRay(pick(orthographic, (across_2 + lens), lens), normalize((ahead - (lens / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_1);
-            float latitude = (1.5707964 * y);
+            float longitude = (3.1415927 * x_2);
+            float latitude = (1.5707964 * y_1);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
             vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
             vec3 _e102 = frame.up;
-            ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+            ray_8 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
         }
     }
-    CameraRay _e107 = ray_9;
+    CameraRay _e107 = ray_8;
     return _e107;
 }
 

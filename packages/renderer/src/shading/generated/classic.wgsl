@@ -8,15 +8,14 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
   var radiance = vec3f(0.0);
   var reflection = 0u;
   loop {
-    let hit = closestHit(ray);
-    let seen = closestBall(ray, hit.t);
-    radiance += weight * halo(ray, seen.t);
-    if (seen.t < hit.t) {
-      radiance += weight * seen.ball;
-      break;
-    }
-    if (hit.shape == noShape) {
-      radiance += weight * sky(ray.direction);
+    let hit = closestHit(ray, frame.ballCount);
+    radiance += weight * halo(ray, hit.t);
+    if (hit.shape >= frame.shapeEnds.w) {
+      var seen = sky(ray.direction);
+      if (hit.shape != noShape) {
+        seen = ballRadiance(hit.shape);
+      }
+      radiance += weight * seen;
       break;
     }
     let position = ray.start.point + hit.t * ray.direction;
@@ -72,20 +71,24 @@ struct Start {
 }
 
 
+// The first `ballCount` light balls come after the spheres, in the same loop: another one would take Windows' shader compiler longer.
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
-fn closestHit(ray: Ray) -> Hit {
+fn closestHit(ray: Ray, ballCount: u32) -> Hit {
   var hit = Hit(miss, noShape);
   let ends = frame.shapeEnds;
-  var i = 0u;
-  if (i < ends.x) {
+  let roundCount = ends.x + ballCount;
+  if (roundCount > 0u) {
+    var k = 0u;
     loop {
+      let i = select(k, k - ends.x + ends.w, k >= ends.x);
       hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.x) {
+      k++;
+      if (k >= roundCount) {
         break;
       }
     }
   }
+  var i = ends.x;
   if (i < ends.y) {
     loop {
       hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
@@ -116,52 +119,29 @@ fn closestHit(ray: Ray) -> Hit {
   return hit;
 }
 
-// The nearest visible ball in front of distance t.
-fn closestBall(ray: Ray, t: f32) -> SeenLight {
-  var seen = SeenLight(t, vec3f(0.0));
-  if (frame.seenLightEnd == 0u) {
-    return seen;
-  }
-  var i = 0u;
-  loop {
-    let light = fetchLight(i);
-    let distance = intersectSphere(ray.start.point, ray.direction, light.center, light.radius, ray.start.tMin, false);
-    if ((light.visible >= 0.0) & (distance < seen.t)) {
-      seen = SeenLight(distance, light.visible * light.diffuse);
-    }
-    i++;
-    if (i >= frame.seenLightEnd) {
-      break;
-    }
-  }
-  return seen;
-}
+@group(0) @binding(0) var<uniform> frame: Frame;
 
 // Light that haze along the first t metres of the ray sends back: the falloff 1 / d^2, integrated.
 fn halo(ray: Ray, t: f32) -> vec3f {
   var sum = vec3f(0.0);
-  if (frame.seenLightEnd == 0u) {
+  if (frame.ballCount == 0u) {
     return sum;
   }
   var i = 0u;
   loop {
-    let light = fetchLight(i);
-    let toLight = light.center - ray.start.point;
+    let ball = fetchBall(frame.shapeEnds.w + i);
+    let toLight = ball.center - ray.start.point;
     let along = dot(toLight, ray.direction);
     let across = toLight - along * ray.direction;
-    let b = max(length(across), light.radius);
-    sum += max(light.halo, 0.0) * light.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
+    let b = max(length(across), ball.radius);
+    sum += ball.halo * ball.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
     i++;
-    if (i >= frame.seenLightEnd) {
+    if (i >= frame.ballCount) {
       break;
     }
   }
   return sum;
 }
-
-// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
-// nothing that depends on the size of the scene.
-const noShape = 0xffffffffu;
 
 // The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
 fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
@@ -241,94 +221,58 @@ fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
 
-struct Frame {
-  // camera r times half the width of what is seen: camera.wesl
-  right: vec3f,
-  // of the whole picture, pixels
-  width: f32,
-  // camera u times half the height of what is seen
-  up: vec3f,
-  // of the whole picture, pixels
-  height: f32,
-  // camera f
-  forward: vec3f,
-  // lights in use
-  lightCount: u32,
-  // sky colour at the horizon; in paths the map of the sky is multiplied by it
-  horizon: vec3f,
-  // film sample, from 0
-  sampleIndex: u32,
-  // sky colour overhead; likewise
-  zenith: vec3f,
-  // of the random numbers
-  seed: u32,
-  // position inside the pixel, 0 to 1
-  jitter: vec2f,
-  // columns of the picture where the second and third panel begin
-  dividers: vec2f,
-  // index past the last sphere, box, quad and plane
-  shapeEnds: vec4u,
-  // index past the last shape that may stand between a light and a point
-  occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
-  // emitters of the path integrator
-  emitterCount: u32,
-  // path segments from the camera on; 0xffffffff: no limit
-  maxDepth: u32,
-  // per panel: max reflections, light samples, unused, unused
-  panels: array<vec4u, 3>,
-  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
-  filterPieces: array<vec4f, 16>,
-  // 1: independent random numbers instead of the Sobol sequence
-  independent: u32,
-  // position in PROJECTIONS
-  projection: u32,
-  // radius of the lens, metres
-  aperture: f32,
-  // from the eye to the plane that is sharp, metres
-  focusDistance: f32,
-  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
-  planesCutView: u32,
-  // how far the map of the sky is turned about +Y, 0 to 1
-  environmentTurn: f32,
-  // columns and rows of the map of the sky
-  environmentSize: vec2f,
-  // film samples that this call adds, from sampleIndex on; 1 where passes draw
-  sampleCount: u32,
-  // row of the first instance of a mesh; the tree over them begins in row 0
-  instances: u32,
-  // threads that share the samples of a pixel
-  shares: u32,
-  // pixels of a workgroup
-  tile: vec2u,
-  // instances of meshes
-  instanceCount: u32,
-  // emitters that are infinitely far: they come first
-  farEmitters: u32,
-  // row of the root of the light tree
-  lightTree: u32,
-  // of the scene table, the whole table being 1
-  rowHeight: f32,
-  // what one row is of the texture of the geometry, all of it being 1: gpu/device.ts, shareOfRow
-  geometryShare: f32,
-  // of that of the texels
-  texelShare: f32,
-  // levels of it; 0: there is none, and all emitters are looked at
-  lightTreeDepth: u32,
-  // row of the geometry where the tables of lamps begin
-  lampTables: u32,
-  // column and row of the picture that the first texel of the film holds
-  origin: vec2u,
-  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
-  relayRow: u32,
+fn ballRadiance(row: u32) -> vec3f {
+  let ball = fetchBall(row);
+  return ball.radiance * ball.diffuse;
+}
+
+fn fetchBall(i: u32) -> Ball {
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  return Ball(t0.xyz, t0.w, t1.xyz, t1.w, t2.x, t2.y, t2.z, t2.w);
+}
+
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
+}
+
+struct Ball {
+  // eye-relative
+  center: vec3f,
+  // of the ball
+  radius: f32,
+  // colour of the diffuse part
+  diffuse: vec3f,
+  // density of the haze times radiance times radius^2
+  halo: f32,
+  // of the ball
+  radiance: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
 }
 
 
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
+
 struct Hit {
   t: f32,
+  // From shapeEnds.w on a light ball: its row; or noShape.
   shape: u32,
 }
 
@@ -370,19 +314,6 @@ struct Bounds {
   radius: f32,
 }
 
-
-fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
-}
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
-// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
-@group(0) @binding(15) var nearest: sampler;
-
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-// Texels in a row of the scene table.
-const tableWidth = 20.0;
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
@@ -488,38 +419,87 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-struct SeenLight {
-  t: f32,
-  // Radiance of the ball, when it is nearer than what was hit.
-  ball: vec3f,
-}
-
-
-fn fetchLight(i: u32) -> Light {
-  let t0 = tableTexel(5u, i);
-  let t1 = tableTexel(6u, i);
-  let t2 = tableTexel(7u, i);
-  let t3 = tableTexel(8u, i);
-  return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
-}
-
-struct Light {
-  // eye-relative
-  center: vec3f,
-  // of the ball
-  radius: f32,
-  // added everywhere
-  ambient: vec3f,
-  // density of the haze times radiance times radius^2
-  halo: f32,
-  // colour of the diffuse part
-  diffuse: vec3f,
-  // radiance times radius^2: w = power / distance^2
-  power: f32,
-  // colour of the highlight
-  specular: vec3f,
-  // radiance of the ball that is seen; negative: not seen
-  visible: f32,
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // of the whole picture, pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // of the whole picture, pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // columns of the picture where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // balls of lights that camera and mirrors see; their rows come after those of the shapes
+  ballCount: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
+  // instances of meshes
+  instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
+  // what one row is of the texture of the geometry, all of it being 1: gpu/device.ts, shareOfRow
+  geometryShare: f32,
+  // of that of the texels
+  texelShare: f32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
+  // row of the film whose paths lie in the first row of their textures: path_relay.wesl
+  relayRow: u32,
 }
 
 
@@ -569,6 +549,14 @@ struct Material {
   spare: f32,
 }
 
+
+fn fetchLight(i: u32) -> Light {
+  let t0 = tableTexel(5u, i);
+  let t1 = tableTexel(6u, i);
+  let t2 = tableTexel(7u, i);
+  let t3 = tableTexel(8u, i);
+  return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
+}
 
 fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
   let h = pcg(pixelHash + 128u * light + reflection);
@@ -655,10 +643,8 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
       let i = end - 32u + lowestBit(rest);
       if (isSphere(i)) {
         hidden |= behindSphere(group, i, cone);
-      } else if (isFlat(i)) {
-        hidden |= behindFlat(group, i);
       } else {
-        hidden |= behindBox(group, i, cone);
+        hidden |= behindFaces(group, i, cone);
       }
       rest &= rest - 1u;
     }
@@ -668,6 +654,26 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
   }
   return hidden;
 }
+
+struct Light {
+  // eye-relative
+  center: vec3f,
+  // of the ball
+  radius: f32,
+  // added everywhere
+  ambient: vec3f,
+  // unused
+  spare0: f32,
+  // colour of the diffuse part
+  diffuse: vec3f,
+  // radiance times radius^2: w = power / distance^2
+  power: f32,
+  // colour of the highlight
+  specular: vec3f,
+  // unused
+  spare1: f32,
+}
+
 
 fn nextTurn(turn: vec2f) -> vec2f {
   // Cosine and sine of 2 pi * 0.61803398875.
@@ -792,7 +798,7 @@ fn lowestBit(bits: u32) -> u32 {
   return (bitcast<u32>(f32(bits & (~bits + 1u))) >> 23u) - 127u;
 }
 
-// Bit k set: sample k of the group is behind the sphere, box or flat shape i, which the cone may meet.
+// Bit k set: sample k of the group is behind the sphere i, which the cone may meet.
 fn behindSphere(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
   let bounds = fetchBounds(i);
   let hides = ballHidesLight(cone, placeBall(cone, bounds.center), bounds.radius) & (i != group.start.inside);
@@ -821,45 +827,44 @@ fn ballHidesLight(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
   return min(min(covers, ball.along - radius), cone.start - ball.along - radius) > 0.0;
 }
 
-fn behindFlat(group: SampleGroup, i: u32) -> u32 {
-  let bounds = fetchBounds(i);
-  let plane = isPlane(i);
-  var bits = 0u;
-  var turn = group.turn;
-  var k = 0u;
-  loop {
-    let d = toSample(group, k, turn);
-    turn = nextTurn(turn);
-    let inverse = inverseSqrt(dot(d, d));
-    let ray = Ray(group.start, d * inverse);
-    var t = miss;
-    if (plane) {
-      t = hitPlane(i, bounds, ray);
-    } else {
-      t = hitQuad(i, bounds, ray);
-    }
-    bits |= select(0u, 1u << k, t * inverse < 1.0);
-    k++;
-    if (k >= group.count) {
-      break;
-    }
-  }
-  return bits;
-}
-
-fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
+// The same for a shape with faces: the space between three pairs of parallel planes. Those of a quad's third pair fall together; a
+// plane is such a pair alone. As one kind they share one loop: loops are what Windows' shader compiler takes its time for.
+fn behindFaces(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
   let bounds = fetchBounds(i);
   let extent = fetchExtent(i);
-  let turned = isTurned(extent.a);
-  var origin = group.start.point - bounds.center;
-  var axis = cone.axis;
-  let end = bounds.radius - dot(origin, axis);
-  if (turned) {
-    origin = rotate(extent.a, origin);
-    axis = rotate(extent.a, axis);
-  }
+  let fromCenter = group.start.point - bounds.center;
   let startsInside = i == group.start.inside;
-  let meets = select(placeBox(cone, origin, axis, extent.b.xyz, end), boxMet, startsInside);
+  // The rows of the matrix that takes the world to a frame in which the faces lie across the axes.
+  var x = rotateBack(extent.a, vec3f(1.0, 0.0, 0.0));
+  var y = rotateBack(extent.a, vec3f(0.0, 1.0, 0.0));
+  var z = rotateBack(extent.a, vec3f(0.0, 0.0, 1.0));
+  var halfSize = extent.b.xyz;
+  if (isFlat(i)) {
+    x = extent.a.xyz;
+    y = extent.b.xyz;
+    z = normalize(cross(x, y));
+    halfSize = vec3f(vec2f(0.5 + quadOverlap), 0.0);
+  }
+  var origin = vec3f(dot(x, fromCenter), dot(y, fromCenter), dot(z, fromCenter));
+  var tMin = group.start.tMin;
+  if (isPlane(i)) {
+    // No edges: no ray has a direction along x or y, and every one lies between those faces.
+    x = vec3f(0.0);
+    y = vec3f(0.0);
+    z = select(-bounds.center, bounds.center, bounds.radius > 0.0);
+    halfSize = vec3f(1.0, 1.0, 0.0);
+    origin = vec3f(0.0, 0.0, dot(z, group.start.point) - abs(bounds.radius));
+    // z leads away from the eye. The start is on the eye's side whatever rounding says (plane.wesl).
+    if ((bounds.radius != 0.0) & (frame.planesCutView == 0u)) {
+      origin.z = min(origin.z, -parallel);
+      tMin = 0.0;
+    }
+  }
+  var meets = boxMet;
+  if (!(startsInside | isFlat(i))) {
+    let axis = vec3f(dot(x, cone.axis), dot(y, cone.axis), dot(z, cone.axis));
+    meets = placeBox(cone, origin, axis, halfSize, bounds.radius - dot(fromCenter, cone.axis));
+  }
   if (meets != boxMet) {
     return select(0u, everySample(group), meets == boxHidesLight);
   }
@@ -870,11 +875,9 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
     let d = toSample(group, k, turn);
     turn = nextTurn(turn);
     let inverse = inverseSqrt(dot(d, d));
-    var direction = d * inverse;
-    if (turned) {
-      direction = rotate(extent.a, direction);
-    }
-    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, startsInside);
+    let toLight = d * inverse;
+    let direction = vec3f(dot(x, toLight), dot(y, toLight), dot(z, toLight));
+    let t = intersectBox(origin, direction, halfSize, tMin, startsInside);
     bits |= select(0u, 1u, t * inverse < 1.0) << k;
     k++;
     if (k >= group.count) {
@@ -883,6 +886,8 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
   }
   return bits;
 }
+
+const boxMet = 1u;
 
 // `apex` and `axis` in the box's frame; `end`: how far along the axis the box may reach.
 fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f32) -> u32 {
@@ -903,10 +908,6 @@ fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f3
   return select(boxMissed, select(boxMet, boxHidesLight, hides), met | (cone.tangent == everywhere));
 }
 
-const boxMet = 1u;
-
-const boxHidesLight = 2u;
-
 fn max3(v: vec3f) -> f32 {
   return max(max(v.x, v.y), v.z);
 }
@@ -918,6 +919,8 @@ fn min3(v: vec3f) -> f32 {
 // How a box about the origin lies to the cone, told by the cone's axis alone: against the box grown by the cone's radius where the
 // box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
 const boxMissed = 0u;
+
+const boxHidesLight = 2u;
 
 // How far the points reach from the light's centre, in radii.
 fn sampleReach(count: u32) -> f32 {

@@ -31,7 +31,7 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
-    uint seenLightEnd;
+    uint ballCount;
     uint emitterCount;
     uint maxDepth;
     uvec4 panels[3];
@@ -98,11 +98,11 @@ struct Light {
     vec3 center;
     float radius;
     vec3 ambient;
-    float halo;
+    float spare0_;
     vec3 diffuse;
     float power;
     vec3 specular;
-    float visible;
+    float spare1_;
 };
 const uint noShape = 4294967295u;
 
@@ -284,88 +284,91 @@ float hitPlane(uint i_6, Bounds bounds_3, Ray ray_5) {
     return pick((i_6 == ray_5.start.leaves), 1e30, _e10);
 }
 
-Hit closestHit(Ray ray_6) {
+Hit closestHit(Ray ray_6, uint ballCount) {
     Hit hit_1 = Hit(1e30, 4294967295u);
+    uint k = 0u;
     uint i_7 = 0u;
     uvec4 ends = frame.shapeEnds;
-    uint _e10 = i_7;
-    if ((_e10 < ends.x)) {
+    uint roundCount = (ends.x + ballCount);
+    if ((roundCount > 0u)) {
         while(true) {
-            Hit _e13 = hit_1;
-            uint _e14 = i_7;
-            uint _e15 = i_7;
-            Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_6);
-            uint _e18 = i_7;
-            Hit _e19 = nearer(_e13, _e17, _e18);
-            hit_1 = _e19;
-            uint _e21 = i_7;
-            i_7 = (_e21 + 1u);
-            uint _e23 = i_7;
-            if ((_e23 >= ends.x)) {
+            uint _e15 = k;
+            uint _e16 = k;
+            uint _e21 = k;
+            uint i_14 = pick((_e21 >= ends.x), ((_e16 - ends.x) + ends.w), _e15);
+            Hit _e25 = hit_1;
+            Bounds _e26 = fetchBounds(i_14);
+            float _e27 = hitSphere(i_14, _e26, ray_6);
+            Hit _e28 = nearer(_e25, _e27, i_14);
+            hit_1 = _e28;
+            uint _e30 = k;
+            k = (_e30 + 1u);
+            uint _e32 = k;
+            if ((_e32 >= roundCount)) {
                 break;
             }
         }
     }
-    uint _e26 = i_7;
-    if ((_e26 < ends.y)) {
+    i_7 = ends.x;
+    uint _e36 = i_7;
+    if ((_e36 < ends.y)) {
         while(true) {
-            Hit _e29 = hit_1;
-            uint _e30 = i_7;
-            uint _e31 = i_7;
-            Bounds _e32 = fetchBounds(_e31);
-            float _e33 = hitBox(_e30, _e32, ray_6);
-            uint _e34 = i_7;
-            Hit _e35 = nearer(_e29, _e33, _e34);
-            hit_1 = _e35;
-            uint _e37 = i_7;
-            i_7 = (_e37 + 1u);
-            uint _e39 = i_7;
-            if ((_e39 >= ends.y)) {
-                break;
-            }
-        }
-    }
-    uint _e42 = i_7;
-    if ((_e42 < ends.z)) {
-        while(true) {
-            Hit _e45 = hit_1;
-            uint _e46 = i_7;
+            Hit _e39 = hit_1;
+            uint _e40 = i_7;
+            uint _e41 = i_7;
+            Bounds _e42 = fetchBounds(_e41);
+            float _e43 = hitBox(_e40, _e42, ray_6);
+            uint _e44 = i_7;
+            Hit _e45 = nearer(_e39, _e43, _e44);
+            hit_1 = _e45;
             uint _e47 = i_7;
-            Bounds _e48 = fetchBounds(_e47);
-            float _e49 = hitQuad(_e46, _e48, ray_6);
-            uint _e50 = i_7;
-            Hit _e51 = nearer(_e45, _e49, _e50);
-            hit_1 = _e51;
-            uint _e53 = i_7;
-            i_7 = (_e53 + 1u);
-            uint _e55 = i_7;
-            if ((_e55 >= ends.z)) {
+            i_7 = (_e47 + 1u);
+            uint _e49 = i_7;
+            if ((_e49 >= ends.y)) {
                 break;
             }
         }
     }
-    uint _e58 = i_7;
-    if ((_e58 < ends.w)) {
+    uint _e52 = i_7;
+    if ((_e52 < ends.z)) {
         while(true) {
-            Hit _e61 = hit_1;
-            uint _e62 = i_7;
+            Hit _e55 = hit_1;
+            uint _e56 = i_7;
+            uint _e57 = i_7;
+            Bounds _e58 = fetchBounds(_e57);
+            float _e59 = hitQuad(_e56, _e58, ray_6);
+            uint _e60 = i_7;
+            Hit _e61 = nearer(_e55, _e59, _e60);
+            hit_1 = _e61;
             uint _e63 = i_7;
-            Bounds _e64 = fetchBounds(_e63);
-            float _e65 = hitPlane(_e62, _e64, ray_6);
-            uint _e66 = i_7;
-            Hit _e67 = nearer(_e61, _e65, _e66);
-            hit_1 = _e67;
-            uint _e69 = i_7;
-            i_7 = (_e69 + 1u);
-            uint _e71 = i_7;
-            if ((_e71 >= ends.w)) {
+            i_7 = (_e63 + 1u);
+            uint _e65 = i_7;
+            if ((_e65 >= ends.z)) {
                 break;
             }
         }
     }
-    Hit _e74 = hit_1;
-    return _e74;
+    uint _e68 = i_7;
+    if ((_e68 < ends.w)) {
+        while(true) {
+            Hit _e71 = hit_1;
+            uint _e72 = i_7;
+            uint _e73 = i_7;
+            Bounds _e74 = fetchBounds(_e73);
+            float _e75 = hitPlane(_e72, _e74, ray_6);
+            uint _e76 = i_7;
+            Hit _e77 = nearer(_e71, _e75, _e76);
+            hit_1 = _e77;
+            uint _e79 = i_7;
+            i_7 = (_e79 + 1u);
+            uint _e81 = i_7;
+            if ((_e81 >= ends.w)) {
+                break;
+            }
+        }
+    }
+    Hit _e84 = hit_1;
+    return _e84;
 }
 
 bool isSphere(uint i_8) {
@@ -462,8 +465,8 @@ void main() {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e122 = i;
-            i = (_e122 + 1u);
+            uint _e123 = i;
+            i = (_e123 + 1u);
         }
         loop_init = false;
         uint _e30 = i;
@@ -474,64 +477,64 @@ void main() {
         }
         {
             Ray _e35 = ray;
-            Hit _e36 = closestHit(_e35);
-            uint _e37 = i;
-            if ((_e37 == 0u)) {
-                if ((_e36.shape == noShape)) {
+            Hit _e37 = closestHit(_e35, 0u);
+            uint _e38 = i;
+            if ((_e38 == 0u)) {
+                if ((_e37.shape == noShape)) {
                     break;
                 }
-                vec3 _e45 = ray.start.point;
-                vec3 _e48 = ray.direction;
-                vec3 position = (_e45 + (_e36.t * _e48));
-                Ray _e52 = ray;
-                vec3 _e54 = outwardNormal(_e36.shape, _e52, _e36.t);
-                vec3 _e56 = ray.direction;
-                bool back = (dot(_e54, _e56) > 0.0);
-                normal = pick(back, -(_e54), _e54);
+                vec3 _e46 = ray.start.point;
+                vec3 _e49 = ray.direction;
+                vec3 position = (_e46 + (_e37.t * _e49));
+                Ray _e53 = ray;
+                vec3 _e55 = outwardNormal(_e37.shape, _e53, _e37.t);
+                vec3 _e57 = ray.direction;
+                bool back = (dot(_e55, _e57) > 0.0);
+                normal = pick(back, -(_e55), _e55);
                 if (back) {
-                    bool _e67 = isFlat(_e36.shape);
-                    local = !(_e67);
+                    bool _e68 = isFlat(_e37.shape);
+                    local = !(_e68);
                 } else {
                     local = false;
                 }
-                bool _e70 = local;
-                Start _e71 = onSurface(position, _e36.shape, _e70);
-                ray.start = _e71;
-                Material _e73 = fetchMaterial(_e36.shape);
-                color = _e73.baseColor;
+                bool _e71 = local;
+                Start _e72 = onSurface(position, _e37.shape, _e71);
+                ray.start = _e72;
+                Material _e74 = fetchMaterial(_e37.shape);
+                color = _e74.baseColor;
                 radiance = vec3(0.0);
             } else {
-                float _e78 = distance_;
-                if ((_e36.t >= _e78)) {
-                    vec3 _e80 = radiance;
-                    vec3 _e81 = contribution;
-                    radiance = (_e80 + _e81);
+                float _e79 = distance_;
+                if ((_e37.t >= _e79)) {
+                    vec3 _e81 = radiance;
+                    vec3 _e82 = contribution;
+                    radiance = (_e81 + _e82);
                 }
             }
-            uint _e83 = i;
-            uint _e86 = frame.lightCount;
-            if ((_e83 < _e86)) {
-                uint _e88 = i;
-                Light _e89 = fetchLight(_e88);
-                vec3 _e90 = radiance;
-                vec3 _e92 = color;
-                radiance = (_e90 + (_e89.ambient * _e92));
-                vec3 _e98 = ray.start.point;
-                vec3 toLight = (_e89.center - _e98);
+            uint _e84 = i;
+            uint _e87 = frame.lightCount;
+            if ((_e84 < _e87)) {
+                uint _e89 = i;
+                Light _e90 = fetchLight(_e89);
+                vec3 _e91 = radiance;
+                vec3 _e93 = color;
+                radiance = (_e91 + (_e90.ambient * _e93));
+                vec3 _e99 = ray.start.point;
+                vec3 toLight = (_e90.center - _e99);
                 distance_ = length(toLight);
-                float _e102 = distance_;
-                ray.direction = (toLight / vec3(_e102));
-                vec3 _e105 = color;
-                vec3 _e108 = normal;
-                vec3 _e110 = ray.direction;
-                float _e116 = distance_;
+                float _e103 = distance_;
+                ray.direction = (toLight / vec3(_e103));
+                vec3 _e106 = color;
+                vec3 _e109 = normal;
+                vec3 _e111 = ray.direction;
                 float _e117 = distance_;
-                contribution = ((_e105 * _e89.diffuse) * ((max(dot(_e108, _e110), 0.0) * _e89.power) / (_e116 * _e117)));
+                float _e118 = distance_;
+                contribution = ((_e106 * _e90.diffuse) * ((max(dot(_e109, _e111), 0.0) * _e90.power) / (_e117 * _e118)));
             }
         }
     }
-    vec3 _e124 = radiance;
-    _fs2p_location0 = vec4(_e124, 1.0);
+    vec3 _e125 = radiance;
+    _fs2p_location0 = vec4(_e125, 1.0);
     return;
 }
 

@@ -9,7 +9,7 @@
   var contribution = vec3f(0.0);
   var distance = 0.0;
   for (var i = 0u; i <= frame.lightCount; i++) {
-    let hit = closestHit(ray);
+    let hit = closestHit(ray, 0u);
     if (i == 0u) {
       if (hit.shape == noShape) {
         break;
@@ -59,20 +59,24 @@ fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
+// The first `ballCount` light balls come after the spheres, in the same loop: another one would take Windows' shader compiler longer.
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
-fn closestHit(ray: Ray) -> Hit {
+fn closestHit(ray: Ray, ballCount: u32) -> Hit {
   var hit = Hit(miss, noShape);
   let ends = frame.shapeEnds;
-  var i = 0u;
-  if (i < ends.x) {
+  let roundCount = ends.x + ballCount;
+  if (roundCount > 0u) {
+    var k = 0u;
     loop {
+      let i = select(k, k - ends.x + ends.w, k >= ends.x);
       hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.x) {
+      k++;
+      if (k >= roundCount) {
         break;
       }
     }
   }
+  var i = ends.x;
   if (i < ends.y) {
     loop {
       hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
@@ -282,21 +286,22 @@ struct Light {
   radius: f32,
   // added everywhere
   ambient: vec3f,
-  // density of the haze times radiance times radius^2
-  halo: f32,
+  // unused
+  spare0: f32,
   // colour of the diffuse part
   diffuse: vec3f,
   // radiance times radius^2: w = power / distance^2
   power: f32,
   // colour of the highlight
   specular: vec3f,
-  // radiance of the ball that is seen; negative: not seen
-  visible: f32,
+  // unused
+  spare1: f32,
 }
 
 
 struct Hit {
   t: f32,
+  // From shapeEnds.w on a light ball: its row; or noShape.
   shape: u32,
 }
 
@@ -448,8 +453,8 @@ struct Frame {
   shapeEnds: vec4u,
   // index past the last shape that may stand between a light and a point
   occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
+  // balls of lights that camera and mirrors see; their rows come after those of the shapes
+  ballCount: u32,
   // emitters of the path integrator
   emitterCount: u32,
   // path segments from the camera on; 0xffffffff: no limit
