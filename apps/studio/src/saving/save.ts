@@ -28,7 +28,12 @@ export async function save(as: SavedAs): Promise<void> {
   try {
     const { writeInWorker } = await loadWritten();
     const name = fileName(now.fileName ?? sceneName(now.id, now.scene.name));
-    const job = await jobFor(as, name, drawing, drawing.scene);
+    const job = await jobFor(
+      as,
+      name,
+      drawing,
+      as === 'glb' ? keepingOwnLook(drawing.scene, now.original) : drawing.scene,
+    );
     const { ending, blob, report } = await writeInWorker(job, (share) => (saving.value = share), signal);
     await readyToReport();
     download(`${name}${ending}`, blob);
@@ -51,6 +56,23 @@ async function jobFor(as: SavedAs, name: string, drawing: Renderer, scene: Scene
   const height = Math.max(Math.round(canvas.height * down), 1);
   // A view that was moved belongs to no node.
   return { as, name, scene: viewMoved.peek() ? { ...scene, camera } : scene, time, width, height };
+}
+
+/**
+ * A model is saved with the materials that are on show. Those of the file, which a variant has replaced, stay in it as one more variant,
+ * and also where another variant says nothing.
+ */
+export function keepingOwnLook(scene: Scene, original: Scene): Scene {
+  const replaced = Object.entries(original.shapes).filter(([id, { material }]) => {
+    const now = scene.shapes[id]?.material;
+    return now !== undefined && now !== material;
+  });
+  if (replaced.length === 0) return scene;
+  const own = Object.fromEntries(replaced.map(([id, { material }]) => [id, material]));
+  const variants = Object.entries(scene.variants ?? {}).map(([name, one]) => [name, { ...own, ...one }] as const);
+  let name = 'Original';
+  while (variants.some(([other]) => other === name)) name += '*';
+  return { ...scene, variants: Object.fromEntries([...variants, [name, own]]) as NonNullable<Scene['variants']> };
 }
 
 /** Of all pixels: what plays rests for as long as that takes. */
