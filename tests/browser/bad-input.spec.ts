@@ -66,7 +66,8 @@ function openAll(page: Page, files: readonly Given[]): Promise<Listed[][]> {
       const texts = (item: Element, part: string) => item.querySelector(part)?.textContent ?? '';
       lists.push(
         [...dialog.querySelectorAll('.problems li')].map((item) => ({
-          path: texts(item, '.path'),
+          // What is wrong with all of a file has no place in it.
+          path: item.querySelector('.path') ? texts(item, '.path') : 'the file',
           message: texts(item, 'p'),
         })),
       );

@@ -403,12 +403,15 @@ test.describe('on a phone, in Chinese and in the dark', () => {
     await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
     await fewSamples(page);
     await expectPicture(page);
-    await page
-      .locator('#scene-file')
-      .setInputFiles({ name: '三角.glb', mimeType: '', buffer: Buffer.from(triangleGlb()) });
+    const room = writeHdr(fromInterleaved(4, 2, ['R', 'G', 'B'], new Array(24).fill(0.5)));
+    await page.locator('#scene-file').setInputFiles([
+      { name: '三角.glb', mimeType: '', buffer: Buffer.from(triangleGlb()) },
+      { name: 'room.hdr', mimeType: '', buffer: Buffer.from(room) },
+    ]);
     await shown(page, '三角');
     await page.locator('#panel-toggle').tap();
     await expect(page.getByRole('heading', { name: '模型' })).toBeVisible();
+    await expect(page.locator('#environment-kind'), 'what came with the model lights it').toHaveValue('file');
     await page.getByRole('button', { name: '显示全部' }).scrollIntoViewIfNeeded();
     await expect(fact(page, '三角形')).toHaveText('1');
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

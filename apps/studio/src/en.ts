@@ -23,6 +23,7 @@ export const en = {
   openFile: 'Open files…',
   openFolder: 'Open a folder…',
   openHint: 'Or drop them anywhere: glTF, GLB, OBJ, PLY, STL, scene.json, each with its files, or a zip of them.',
+  openHintTouch: 'glTF, GLB, OBJ, PLY, STL or scene.json: choose it together with all its files, or a zip of them.',
   dropHere: 'Drop a model with its files, a folder or a zip — or an .hdr or .exr as light',
   folderUnreadable:
     'The browser does not let this page read the folder. Choose it with “Open a folder…”, or drop it as a zip.',
@@ -187,7 +188,6 @@ export const en = {
   missingFiles:
     'It names these files, which did not come with it. Choose them together with it, or open their folder or a zip of it. The scene before keeps running.',
   problem: ({ message }: Problem) => message,
-  wholeFile: '(whole file)',
   copy: 'Copy',
   copied: 'Copied',
   fileUnreadable: (file: string, reason: string) => `${file} could not be read: ${reason}`,

@@ -165,6 +165,7 @@ const allowedForms: readonly Form[] = [
     /^a \.glb or \.gltf model, .* with one of these$/,
     () => '.glb 或 .gltf 模型，.ply、.obj 或 .stl 文件，scene.json，或含有其中之一的 .zip',
   ],
+  [/^a whole \.hdr, \.exr, \.npy or \.pfm picture$/, () => '完整的 .hdr、.exr、.npy 或 .pfm 图片'],
   [/^a whole \.zip archive$/, () => '完整的 .zip 压缩包'],
   [/^a file that can be read$/, () => '能够读取的文件'],
   [/^files that come together$/, () => '一起打开的全部文件'],
@@ -229,6 +230,8 @@ const foundForms: readonly Form[] = [
   [/^the same key again, in line (\d+)$/, (line) => `第 ${line} 行重复了同样的键`],
   [/^no file$/, () => '文件夹或压缩包是空的'],
   [/^a file of another kind$/, () => '文件类型不受支持'],
+  [/^a model of another kind \((\.\w+)\)$/, (ending) => `${ending} 模型无法直接打开（请先在原来的软件中导出为 glTF）`],
+  [/^a panorama that cannot be used \((.*)\)$/s, (reason) => `全景图无法使用（${pictureInChinese(reason)}）`],
   [/^(\d+) files of other kinds$/, (count) => `${count} 个文件的类型都不受支持`],
   [/^an archive that cannot be opened: (.*)$/, (reason) => `压缩包无法打开（${reason}）`],
   [/^a file that cannot be read \((.*)\)$/, (reason) => `文件无法读取（${reason}）`],
@@ -270,6 +273,19 @@ function translate(phrase: string, forms: readonly Form[]): string {
 export const foundInChinese = (found: string): string => translate(found, foundForms);
 export const allowedInChinese = (allowed: string): string => translate(allowed, allowedForms);
 
+/** What readers of pictures throw: whoever opens one wants to know whether to fetch it again or to save it otherwise. */
+const pictureForms: readonly Form[] = [
+  [/^The (HDR|EXR|NPY|PFM) (?:first line|start of the file) has /, (kind) => `这不是 ${kind} 文件`],
+  [/^The EXR file has .*; expected scan lines of flat pixels in one part$/, () => '只支持单部分、按扫描行存储的 EXR'],
+  [/^The (?:HDR|EXR|NPY|PFM) .* has (?:\d+ bytes?|no bytes|a text without end)/, () => '文件已损坏或不完整'],
+  [/^The picture of a sky has the channels (.*); expected/, (names) => `通道为 ${names}，只支持 R G B 或单个通道`],
+  [
+    /^The picture of a sky has the value (\S+) in column (\d+) of row (\d+)/,
+    (value, column, row) => `第 ${row} 行第 ${column} 列的值 ${value} 不是有效的亮度`,
+  ],
+];
+const pictureInChinese = (reason: string): string => translate(reason, pictureForms);
+
 const drawingForms: readonly Form[] = [
   [
     /^The (meshes|textures) of this scene need (.*); this device has room for (.*) \((.*)\)\.$/,
@@ -293,7 +309,7 @@ export function problemInChinese({ path, found, allowed, message }: Problem): st
   if (beyond) return `……另有 ${beyond[1]} 个问题。`;
   // What draws it says why in a sentence of its own.
   if (found === 'what cannot be drawn here') return `此处无法绘制：${drawingInChinese(message)}`;
-  const place = path === '' ? '文件中' : `在 ${path} 处`;
+  const place = path === '' ? '' : `在 ${path} 处：`;
   const meant = /Did you mean (".+")\?$/.exec(message);
-  return `${place}：${foundInChinese(found)}，应为${spaced(allowedInChinese(allowed))}。${meant ? `你是不是想写 ${meant[1]}？` : ''}`;
+  return `${place}${foundInChinese(found)}，应为${spaced(allowedInChinese(allowed))}。${meant ? `你是不是想写 ${meant[1]}？` : ''}`;
 }

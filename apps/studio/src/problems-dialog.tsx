@@ -5,7 +5,7 @@ import { Dialog } from './controls/dialog.tsx';
 import { type Dictionary, dictionary } from './i18n.ts';
 
 const asText = (problems: readonly Problem[], t: Dictionary): string =>
-  problems.map((problem) => `${problem.path || '/'}: ${t.problem(problem)}`).join('\n');
+  problems.map((problem) => `${problem.path === '' ? '' : `${problem.path}: `}${t.problem(problem)}`).join('\n');
 
 /** Puts the text on the clipboard; where the browser refuses, it selects the list, ready to be copied by hand. */
 async function copyText(text: string): Promise<boolean> {
@@ -75,7 +75,7 @@ function ProblemItem(problem: Problem) {
   const t = dictionary.value;
   return (
     <li>
-      <code class="path">{problem.path || t.wholeFile}</code>
+      {problem.path !== '' && <code class="path">{problem.path}</code>}
       <p>{t.problem(problem)}</p>
     </li>
   );

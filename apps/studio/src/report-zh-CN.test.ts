@@ -1,4 +1,4 @@
-import { openFiles } from 'mirrorball';
+import { openEnvironment, openFiles } from 'mirrorball';
 import { expect, test } from 'vitest';
 import { triangleFile } from '../../../tests/fixtures/gltf.ts';
 import { problemInChinese } from './problem-zh-CN.ts';
@@ -12,7 +12,7 @@ const given = (files: Readonly<Record<string, string | Uint8Array>>) =>
 /** Words that are left when names and reasons are taken out. */
 const englishWords = (sentence: string): string[] =>
   (sentence.replace(/"[^"]*"|（[^）]*）/g, '').match(/\w*[A-Za-z]\w+/g) ?? []).filter(
-    (word) => !/^(GLB|JSON|UTF|glTF|glb|gltf|ply|obj|stl|zip|scene|json|VENDOR_unknown|KHR_\w+)$/.test(word),
+    (word) => !/^(GLB|JSON|UTF|glTF|glb|gltf|ply|obj|stl|fbx|zip|scene|json|VENDOR_unknown|KHR_\w+)$/.test(word),
   );
 
 test('what a model is reported of is said in Chinese, with how often', async () => {
@@ -38,8 +38,9 @@ test.each([
     'a missing file',
     { 'a.gltf': JSON.stringify({ asset: { version: '2.0' }, buffers: [{ byteLength: 4, uri: 'n.bin' }] }) },
   ],
-  ['a file of another kind', { 'a.fbx': 'x' }],
-  ['several of them', { 'a.fbx': 'x', 'b.txt': 'x' }],
+  ['a file of another kind', { 'a.md': 'x' }],
+  ['several of them', { 'a.md': 'x', 'b.txt': 'x' }],
+  ['a model for other programs', { 'a.fbx': 'x' }],
   ['no archive', { 'a.zip': 'x' }],
   ['a model that is cut off', { 'a.glb': triangleFile().glb().slice(0, 100) }],
   ['bytes', { 'a.glb': new Uint8Array(50).fill(255) }],
@@ -50,6 +51,18 @@ test.each([
     const sentence = problemInChinese(problem);
     expect(englishWords(sentence.replace(/在 .*? 处/, '')), sentence).toEqual([]);
   }
+});
+
+test.each([
+  ['x.hdr', 'hello', '这不是 HDR 文件'],
+  ['x.exr', 'hello there', '这不是 EXR 文件'],
+  ['x.npy', 'hello there', '这不是 NPY 文件'],
+  ['x.hdr', '#?RADIANCE\n\n-Y 64 +X 128\n', '文件已损坏或不完整'],
+])('%s of %j is no panorama, as is said in Chinese', async (path, content, reason) => {
+  const opened = await openEnvironment(given({ [path]: content })[0]!);
+  expect(opened.ok ? [] : opened.problems.map(problemInChinese)).toEqual([
+    `全景图无法使用（${reason}），应为完整的 .hdr、.exr、.npy 或 .pfm 图片。`,
+  ]);
 });
 
 test('a device that has no room says so in Chinese', () => {

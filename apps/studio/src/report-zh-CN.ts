@@ -40,6 +40,14 @@ const forms: readonly Form[] = [
   [/^The extension (\S+) is not read\.$/, (name) => `不支持扩展 ${name}。`],
   [/^Images of the kind (\S+) cannot be decoded here; the texture is left out\.$/, (type) => `此处无法解码 ${type} 图片，略去了该贴图。`], // biome-ignore format: one line each
   [/^Images of the kind (\S+) cannot be decoded here; another image/, (type) => `此处无法解码 ${type} 图片，改用该贴图的备用图片。`], // biome-ignore format: one line each
+  [
+    /^(\d+) of its numbers are negative, which light is not/,
+    (count) => `全景图中有 ${count} 个负数，光不能为负，均按 0 处理。`,
+  ],
+  [
+    /^It has (\d+ × \d+) texels and is averaged to (\d+ × \d+), as (\d+ × \d+) are/,
+    (size, less, most) => `全景图为 ${size} 像素，超过了上限 ${most}，已缩小为 ${less}。`,
+  ],
   [/^A texture has no image; it is left out\.$/, () => '有贴图缺少图片，已略去。'],
   [/^Meshes have two sets of texture coordinates/, () => '网格只支持 0、1 两组纹理坐标，略去了使用其他坐标的贴图。'],
   [/^Channels of (\d+) bits are rounded to 8\.$/, (bits) => `${bits} 位的颜色通道已取整为 8 位。`],

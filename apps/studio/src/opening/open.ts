@@ -1,5 +1,5 @@
 /** Opening what a person gives: files become the scene on show, pictures of all around its light. */
-import { adoptScene, isSkyName, type Problem } from 'mirrorball';
+import { adoptScene, isSkyName, type Problem, type ReportEntry } from 'mirrorball';
 import { refusedFile, show } from '../actions.ts';
 import { takeSkyFile } from '../environment.ts';
 import { readyToReport } from '../i18n.ts';
@@ -24,7 +24,7 @@ export async function openFiles(coming: Promise<readonly PathFile[]> | readonly 
     const words = readyToReport();
     opening.value = { name, phase: 'reading', share: 0 };
     if (files.every(({ path }) => isSkyName(path))) await openSky(files[0]!.file, words, mine.signal);
-    else await openModel(files, words, mine.signal);
+    else if (await openModel(files, words, mine.signal)) await openSkyBeside(files, words, mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
     if (error instanceof TooManyFiles) notify('file', (t) => t.tooManyFiles);
@@ -50,10 +50,14 @@ const tell = (phase: Phase, share: number): void => {
   if (now) opening.value = { ...now, phase, share };
 };
 
-async function openModel(files: readonly PathFile[], words: Promise<void>, signal: AbortSignal): Promise<void> {
+/** Whether it is on show. */
+async function openModel(files: readonly PathFile[], words: Promise<void>, signal: AbortSignal): Promise<boolean> {
   const opened: Opened = await openInWorker(files, tell, signal);
   await words;
-  if (!opened.ok) return refuse(opened.file, opened.problems);
+  if (!opened.ok) {
+    refuse(opened.file, opened.problems);
+    return false;
+  }
   const { file, report, bytes } = opened;
   const scene = await adoptScene(opened.prepared);
   signal.throwIfAborted();
@@ -61,11 +65,20 @@ async function openModel(files: readonly PathFile[], words: Promise<void>, signa
     const model = modelOf(scene.name || file, files);
     await show({ id: 'file', scene, original: scene, fileName: file, opened: model.key, report, bytes });
     rememberModel(model);
+    return true;
   } catch (error) {
     // The scene is good; what draws it cannot.
     const message = reasonOf(error);
     refuse(file, [{ path: '', found: 'what cannot be drawn here', allowed: 'what can be', message }]);
+    return false;
   }
+}
+
+/** A scene file names its own light. A model cannot, so one picture of all around that came with it is meant to be it. */
+async function openSkyBeside(files: readonly PathFile[], words: Promise<void>, signal: AbortSignal): Promise<void> {
+  const skies = files.filter(({ path }) => isSkyName(path));
+  if (skies.length === 1 && !files.some(({ path }) => /\.json$/i.test(path)))
+    await openSky(skies[0]!.file, words, signal);
 }
 
 async function openSky(file: File, words: Promise<void>, signal: AbortSignal): Promise<void> {
@@ -74,8 +87,9 @@ async function openSky(file: File, words: Promise<void>, signal: AbortSignal): P
   if (!opened.ok) return refuse(opened.file, opened.problems);
   takeSkyFile(opened.file, opened.map);
   const waits = integrator.peek() !== 'path';
-  if (waits || opened.notes.length > 0)
-    notify('file', (t) => [...opened.notes, ...(waits ? [t.skyWaits] : [])].join('\n'));
+  const notes = opened.notes.map((message): ReportEntry => ({ kind: 'changed', what: opened.file, message, places: [], count: 1 })); // biome-ignore format: one entry
+  if (waits || notes.length > 0)
+    notify('file', (t) => [...notes.map(t.reportEntry), ...(waits ? [t.skyWaits] : [])].join('\n'));
 }
 
 function refuse(name: string, problems: readonly Problem[]): void {

@@ -41,7 +41,7 @@ export function SceneSection() {
         <Picker id="scene-file" label={t.openFile} />
         {isDesk && <Picker id="scene-folder" label={t.openFolder} folder />}
       </div>
-      {isDesk && <p class="idle">{t.openHint}</p>}
+      <p class="idle">{isDesk ? t.openHint : t.openHintTouch}</p>
     </Section>
   );
 }

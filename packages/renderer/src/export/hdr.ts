@@ -106,6 +106,9 @@ export function readHdr(bytes: Uint8Array): FloatPicture {
 
 function readHead(reader: ByteReader): void {
   const part = 'HDR head';
+  // Ahead of the line, which in a file of another kind may have no end.
+  if (reader.left < 2 || reader.bytes[0] !== 0x23 || reader.bytes[1] !== 0x3f)
+    throw new ImageError('HDR first line', 'another text', '#?RADIANCE or #?RGBE');
   if (!/^#\?(RADIANCE|RGBE)\s*$/.test(reader.textUntil(NEWLINE, MOST_LINE, part)))
     throw new ImageError('HDR first line', 'another text', '#?RADIANCE or #?RGBE');
   let format = '';

@@ -1,7 +1,7 @@
 /** A picture of all around, .hdr, .exr, .npy or .pfm → the map of a sky. */
 import type { EnvironmentMap } from '../scene/environment.ts';
-import { loadImage } from '../scene-file/load-image.ts';
-import { type Problem, ProblemList } from '../scene-file/problem.ts';
+import { readPanorama } from '../scene-file/load-image.ts';
+import { type Problem, quote, sentence } from '../scene-file/problem.ts';
 import { endingOf, type GivenFile, nameOf, readGiven } from './file-set.ts';
 
 export type OpenedSky =
@@ -13,8 +13,13 @@ export const isSkyName = (path: string): boolean => ['hdr', 'exr', 'npy', 'pfm']
 
 /** Never rejects. */
 export async function openEnvironment(file: GivenFile): Promise<OpenedSky> {
-  const problems = new ProblemList();
-  const notes: string[] = [];
-  const map = await loadImage(nameOf(file.path), () => readGiven(file), problems, notes);
-  return map ? { ok: true, map, notes } : { ok: false, problems: problems.list() };
+  const name = nameOf(file.path);
+  try {
+    return { ok: true, ...(await readPanorama(name, () => readGiven(file))) };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    const found = `a panorama that cannot be used (${reason.replace(/\.$/, '')})`;
+    const message = `${quote(name)} is no panorama that can be used. ${sentence(reason)}`;
+    return { ok: false, problems: [{ path: '', found, allowed: 'a whole .hdr, .exr, .npy or .pfm picture', message }] };
+  }
 }

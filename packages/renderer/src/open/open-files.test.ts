@@ -6,6 +6,7 @@ import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
 import { writePly } from '../mesh-file/ply/write-ply.ts';
 import { isParsedScene } from '../scene-file/trusted-scenes.ts';
 import type { GivenFile } from './file-set.ts';
+import { openEnvironment } from './open-environment.ts';
 import { type OpenedFiles, openFiles } from './open-files.ts';
 
 type Content = string | Uint8Array;
@@ -175,7 +176,8 @@ test('of several models one is shown, and the report tells the others', async ()
 
 test.each([
   ['nothing', {}, 'no file'],
-  ['a file of another kind', { 'a.fbx': 'x' }, 'a file of another kind'],
+  ['a file of another kind', { 'a.txt': 'x' }, 'a file of another kind'],
+  ['a model for other programs', { 'a.FBX': 'x', 'a.png': 'x' }, 'a model of another kind (.fbx)'],
   ['an archive without a model', { 'a.zip': zipSync({ 'b.txt': new Uint8Array(3) }) }, 'a file of another kind'],
   ['an archive that is none', { 'a.zip': 'x' }, 'an archive that cannot be opened'],
   ['a broken model', { 'a.glb': glb().slice(0, 30) }, 'cut off'],
@@ -193,6 +195,26 @@ test.each([
 test('a file that cannot be read is a problem, and one in an archive that is damaged', async () => {
   const bad: GivenFile = { path: 'a.glb', size: 9, read: () => Promise.reject(new Error('it has moved')) };
   expect(await openFiles([bad])).toMatchObject({ ok: false, problems: [{ message: '"a.glb" cannot be read: it has moved.' }] }); // biome-ignore format: one line
+});
+
+test.each([
+  [{ 'a.usdz': 'x' }, /^"a.usdz" cannot be opened as it is: export it as glTF \(\.glb\)/],
+  [{ 'a.txt': 'x' }, /^"a.txt" is a file of another kind\. What can be opened/],
+  [{ 'a.txt': 'x', 'b.png': 'x' }, /^These are 2 files of other kinds\. What/],
+  [{ 'a.zip': zipSync({ 'b.txt': new Uint8Array(3) }) }, /^"a.zip" has a file of another kind\. What/],
+])('of %j is said why it cannot be opened', async (files, sentence) => {
+  const opened = await open(files as unknown as Record<string, Content>);
+  expect(opened.ok ? '' : opened.problems[0]!.message).toMatch(sentence);
+});
+
+test('a panorama that cannot be used is no place in a scene file', async () => {
+  const [file] = given({ 'light/x.hdr': 'hello' });
+  expect(await openEnvironment(file!)).toMatchObject({
+    ok: false,
+    problems: [
+      { path: '', message: expect.stringMatching(/^"x.hdr" is no panorama that can be used\. The HDR first line/) },
+    ],
+  });
 });
 
 test('what was aborted rejects with the reason', async () => {

@@ -12,6 +12,9 @@ export type OpenedFiles = OpenedModel & { readonly file: string };
 
 const KINDS = 'a .glb or .gltf model, a .ply, .obj or .stl file, a scene.json, or a .zip archive with one of these';
 
+/** Endings of models that other programs read, and can write as glTF. */
+const FOREIGN_MODELS = new Set('3dm 3ds 3mf abc blend c4d dae fbx iges igs max mb ma skp step stp usd usda usdc usdz wrl x3d'.split(' ')); // biome-ignore format: one list
+
 /** Rejects with the signal's reason when that is aborted, and never for what files have. */
 export async function openFiles(
   given: Iterable<GivenFile>,
@@ -39,11 +42,7 @@ async function openChosen(
   options: Omit<OpenOptions, 'readFile'>,
 ): Promise<OpenedFiles> {
   const chosen = chooseMain(files);
-  if (chosen === null) {
-    const many = files.length === 0 ? 'no file' : `${files.length} files of other kinds`;
-    const found = files.length === 1 ? 'a file of another kind' : many;
-    return refused(name, found, KINDS, `${quote(name)} has ${found}. What can be opened is this: ${KINDS}.`);
-  }
+  if (chosen === null) return nothingToOpen(files, name);
   const { main, others } = chosen;
   const file = nameOf(main.path);
   const set = new FileSet(files);
@@ -58,6 +57,25 @@ async function openChosen(
     readFile: (path) => set.readBeside(main.path, path),
   });
   return { ...(opened.ok ? withOthers(opened, file, others) : opened), file };
+}
+
+function nothingToOpen(files: readonly GivenFile[], name: string): OpenedFiles {
+  const kinds = `What can be opened is this: ${KINDS}.`;
+  const foreign = files.find(({ path }) => FOREIGN_MODELS.has(endingOf(path)));
+  if (foreign) {
+    const message = `${quote(nameOf(foreign.path))} cannot be opened as it is: export it as glTF (.glb) from the program that it was made with. ${kinds}`;
+    return refused(name, `a model of another kind (.${endingOf(foreign.path)})`, KINDS, message);
+  }
+  const many = files.length === 0 ? 'no file' : `${files.length} files of other kinds`;
+  const found = files.length === 1 ? 'a file of another kind' : many;
+  const isArchive = endingOf(name) === 'zip';
+  const what = files.length === 1 ? `${quote(name)} is` : 'These are';
+  return refused(
+    name,
+    found,
+    KINDS,
+    `${isArchive || files.length === 0 ? `${quote(name)} has` : what} ${found}. ${kinds}`,
+  );
 }
 
 /** What could have been opened instead is told. */

@@ -27,9 +27,7 @@ export async function loadImage(
   notes: string[],
 ): Promise<EnvironmentMap | null> {
   try {
-    const read = READERS[image.slice(image.lastIndexOf('.') + 1).toLowerCase()];
-    if (!read) throw new Error('it is no .hdr, .exr, .npy or .pfm file');
-    const made = environmentFromPicture(read(await readFile(image)));
+    const made = await readPanorama(image, readFile);
     notes.push(...made.notes.map((note) => `The sky's image ${quote(image)}: ${note}`));
     return made.map;
   } catch (error) {
@@ -40,4 +38,14 @@ export async function loadImage(
     problems.add(['sky', 'image'], found, imageRule, message);
     return null;
   }
+}
+
+/** Throws what is wrong with it. */
+export async function readPanorama(
+  image: string,
+  readFile: ReadFile,
+): Promise<ReturnType<typeof environmentFromPicture>> {
+  const read = READERS[image.slice(image.lastIndexOf('.') + 1).toLowerCase()];
+  if (!read) throw new Error('it is no .hdr, .exr, .npy or .pfm file');
+  return environmentFromPicture(read(await readFile(image)));
 }
