@@ -2311,11 +2311,11 @@ float farProbability(Emitter e_22, vec3 normal_8, Odds odds_1) {
                 estimate_1 = (_e29 * pick((e_22.kind == 5.0), _e32, 1.0));
             }
             float _e39 = estimate_1;
-            probability_3 = (_e39 / max(odds_1.total, 1e-37));
+            probability_3 = min((_e39 / max(odds_1.total, 1e-37)), 1.0);
         }
     }
-    float _e44 = probability_3;
-    return _e44;
+    float _e46 = probability_3;
+    return _e46;
 }
 
 void addSkyAndSuns(inout Path p_17) {

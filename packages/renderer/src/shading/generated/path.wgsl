@@ -2342,7 +2342,8 @@ fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
         let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
         estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
       }
-      probability = estimate / max(odds.total, 1e-37);
+      // Where the sum of the estimates underflows it would be infinite, and that times no light no number.
+      probability = min(estimate / max(odds.total, 1e-37), 1.0);
       
     }
   }

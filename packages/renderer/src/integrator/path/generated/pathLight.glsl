@@ -3315,16 +3315,16 @@ float farProbability(Emitter e_27, vec3 normal_14, Odds odds_2) {
                 estimate_1 = (_e29 * pick((e_27.kind == 5.0), _e32, 1.0));
             }
             float _e39 = estimate_1;
-            probability_4 = (_e39 / max(odds_2.total, 1e-37));
-            const bool _e45 = hasLightTree;
-            if (_e45) {
-                float _e46 = probability_4;
-                probability_4 = (_e46 * (1.0 - odds_2.tree));
+            probability_4 = min((_e39 / max(odds_2.total, 1e-37)), 1.0);
+            const bool _e47 = hasLightTree;
+            if (_e47) {
+                float _e48 = probability_4;
+                probability_4 = (_e48 * (1.0 - odds_2.tree));
             }
         }
     }
-    float _e51 = probability_4;
-    return _e51;
+    float _e53 = probability_4;
+    return _e53;
 }
 
 void addSkyAndSuns(inout Path p_23) {
