@@ -323,45 +323,29 @@ Hit closestHit(Ray ray_4, uint ballCount) {
         }
     }
     uint _e52 = i_6;
-    if ((_e52 < ends.z)) {
+    if ((_e52 < ends.w)) {
         while(true) {
-            Hit _e55 = hit_1;
-            uint _e56 = i_6;
-            uint _e57 = i_6;
-            Bounds _e58 = fetchBounds(_e57);
-            float _e59 = hitQuad(_e56, _e58, ray_4);
+            uint _e55 = i_6;
+            Bounds _e56 = fetchBounds(_e55);
+            Hit _e57 = hit_1;
+            uint _e58 = i_6;
+            float _e59 = hitQuad(_e58, _e56, ray_4);
             uint _e60 = i_6;
-            Hit _e61 = nearer(_e55, _e59, _e60);
-            hit_1 = _e61;
-            uint _e63 = i_6;
-            i_6 = (_e63 + 1u);
-            uint _e65 = i_6;
-            if ((_e65 >= ends.z)) {
+            float _e61 = hitPlane(_e60, _e56, ray_4);
+            uint _e62 = i_6;
+            uint _e66 = i_6;
+            Hit _e67 = nearer(_e57, pick((_e62 >= ends.z), _e61, _e59), _e66);
+            hit_1 = _e67;
+            uint _e69 = i_6;
+            i_6 = (_e69 + 1u);
+            uint _e71 = i_6;
+            if ((_e71 >= ends.w)) {
                 break;
             }
         }
     }
-    uint _e68 = i_6;
-    if ((_e68 < ends.w)) {
-        while(true) {
-            Hit _e71 = hit_1;
-            uint _e72 = i_6;
-            uint _e73 = i_6;
-            Bounds _e74 = fetchBounds(_e73);
-            float _e75 = hitPlane(_e72, _e74, ray_4);
-            uint _e76 = i_6;
-            Hit _e77 = nearer(_e71, _e75, _e76);
-            hit_1 = _e77;
-            uint _e79 = i_6;
-            i_6 = (_e79 + 1u);
-            uint _e81 = i_6;
-            if ((_e81 >= ends.w)) {
-                break;
-            }
-        }
-    }
-    Hit _e84 = hit_1;
-    return _e84;
+    Hit _e74 = hit_1;
+    return _e74;
 }
 
 Ball fetchBall(uint i_7) {

@@ -98,18 +98,11 @@ fn closestHit(ray: Ray, ballCount: u32) -> Hit {
       }
     }
   }
-  if (i < ends.z) {
-    loop {
-      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.z) {
-        break;
-      }
-    }
-  }
+  // What is flat shares a loop likewise, and is worked out as both: one loop less for Windows' compiler, a few per cent more in software.
   if (i < ends.w) {
     loop {
-      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      let bounds = fetchBounds(i);
+      hit = nearer(hit, select(hitQuad(i, bounds, ray), hitPlane(i, bounds, ray), i >= ends.z), i);
       i++;
       if (i >= ends.w) {
         break;
@@ -389,6 +382,11 @@ fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
 fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
   let normal = cross(reciprocalU, reciprocalV);
   let speed = dot(direction, normal);
@@ -402,11 +400,6 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
 
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
 const quadOverlap = 1e-6;
-
-fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
-}
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
